@@ -1,0 +1,79 @@
+#include "core/base/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "core/base/error.h"
+
+namespace seesaw {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& path, std::size_t limit) {
+  std::error_code error;
+  if (!fs::exists(path, error)) throw FileError(path.string(), "no such file");
+  if (fs::is_directory(path, error)) throw FileError(path.string(), "is a folder, not a file");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw FileError(path.string(), std::string("cannot be read: ") + std::strerror(errno));
+  // Read in blocks and not by the size that the file system claims: pipes and /dev/stdin have none.
+  std::string bytes;
+  std::string block(std::size_t{1} << 16, '\0');
+  while (in) {
+    in.read(block.data(), static_cast<std::streamsize>(block.size()));
+    bytes.append(block, 0, static_cast<std::size_t>(in.gcount()));
+    if (bytes.size() > limit)
+      throw FileError(path.string(), "is larger than the " + std::to_string(limit) + " bytes that are read");
+  }
+  return bytes;
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+  const auto fail = [&](const std::string& what) {
+    throw FileError(path.string(), "cannot be written: " + what + ": " + std::strerror(errno));
+  };
+  std::error_code error;
+  // A pipe or /dev/stdout cannot be replaced by a rename: write to it as it stands.
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
+    std::ofstream out(path, std::ios::binary);
+    if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush()) fail("it is not a file");
+    return;
+  }
+  // Through a symbolic link, so that saving keeps the link.
+  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+  std::string temporary = target.string() + ".XXXXXX";
+  const int file = ::mkstemp(temporary.data());
+  if (file < 0) fail("no temporary file beside it");
+  const auto give_up = [&](const char* what) {
+    const int why = errno;
+    ::close(file);
+    ::unlink(temporary.c_str());
+    errno = why;
+    fail(what);
+  };
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ::ssize_t n = ::write(file, bytes.data() + done, bytes.size() - done);
+    if (n < 0 && errno != EINTR) give_up("writing");
+    if (n > 0) done += static_cast<std::size_t>(n);
+  }
+  // mkstemp makes a private file; give it the permissions a new file would have, or the old one's.
+  const ::mode_t mask = ::umask(0);
+  ::umask(mask);
+  const fs::perms kept = fs::exists(target, error) ? fs::status(target, error).permissions()
+                                                   : static_cast<fs::perms>(0666 & ~mask);
+  fs::permissions(temporary, kept, error);
+  if (::fsync(file) != 0) give_up("flushing");
+  if (::close(file) != 0) fail("closing");
+  if (::rename(temporary.c_str(), target.c_str()) != 0) {
+    const int why = errno;
+    ::unlink(temporary.c_str());
+    errno = why;
+    fail("renaming");
+  }
+}
+
+}  // namespace seesaw

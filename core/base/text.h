@@ -1,0 +1,18 @@
+// Numbers to text and back, the same under every locale: a decimal comma never gets into a file of ours.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace seesaw {
+
+/// `value` with `digits` significant digits, "%.{digits}g" in the C locale. Seventeen digits always read back to
+/// the same double. Not a number is "nan", infinity "inf".
+std::string to_text(double value, int digits = 6);
+
+/// The number that `text` holds from its first to its last character, or nothing. "nan" and "inf" are numbers
+/// here; the caller refuses them where they make no sense. A leading '+' is allowed.
+std::optional<double> parse_number(std::string_view text);
+
+}  // namespace seesaw
