@@ -30,8 +30,10 @@ else()
   seesaw_dependency(lapack)
 endif()
 
-find_package(xsimd REQUIRED)
-seesaw_dependency(simd xsimd)
+# xsimd is headers; Debian's CMake target for it asks to link a library (xtl) that it does not need.
+find_path(SEESAW_XSIMD_INCLUDE_DIR NAMES xsimd/xsimd.hpp REQUIRED)
+seesaw_dependency(simd)
+set_property(TARGET SeesawDeps::simd PROPERTY INTERFACE_INCLUDE_DIRECTORIES ${SEESAW_XSIMD_INCLUDE_DIR})
 find_package(TBB REQUIRED)
 seesaw_dependency(threads TBB::tbb Threads::Threads)
 

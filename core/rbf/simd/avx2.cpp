@@ -50,8 +50,8 @@ struct Lanes {
     g = _mm256_fmadd_pd(g, q, g);
     const __m256d h = _mm256_mul_pd(_mm256_set1_pd(0.5), _mm256_fmadd_pd(y, q, y));
     g = _mm256_fmadd_pd(_mm256_fnmadd_pd(g, g, s), h, g);
-    const __m256d d = _mm256_fnmadd_pd(g, h, _mm256_set1_pd(0.5));
-    return {g, _mm256_fmadd_pd(_mm256_add_pd(h, h), d, _mm256_add_pd(h, h))};
+    const __m256d inverse = _mm256_add_pd(h, h);
+    return {g, _mm256_fmadd_pd(inverse, _mm256_fnmadd_pd(g, inverse, _mm256_set1_pd(1.0)), inverse)};
   }
 
   // As for AVX-512, with eight intervals (what one permutation holds), so |r| < 1/15 and the series runs to r^14.

@@ -47,8 +47,9 @@ struct Lanes {
     g = _mm512_fmadd_pd(g, e, g);
     h = _mm512_fmadd_pd(h, e, h);
     g = _mm512_fmadd_pd(_mm512_fnmadd_pd(g, g, s), h, g);
-    e = _mm512_fnmadd_pd(g, h, half);
-    return {g, _mm512_fmadd_pd(_mm512_add_pd(h, h), e, _mm512_add_pd(h, h))};
+    // 1 / sqrt(s) = 2 h, made exact by one more step: y (1 + (1 - g y)).
+    const __m512d inverse = _mm512_add_pd(h, h);
+    return {g, _mm512_fmadd_pd(inverse, _mm512_fnmadd_pd(g, inverse, _mm512_set1_pd(1.0)), inverse)};
   }
 
   // s = 2^e m with m in [1, 2); interval k of m from its first four bits; r = m c_k - 1 exact but for one rounding,
