@@ -1,0 +1,34 @@
+#include "figures/catalog.h"
+
+namespace seesaw {
+
+Figure turk2002_fig01(const FigureContext&);
+Figure turk2002_fig04(const FigureContext&);
+Figure turk2002_fig05(const FigureContext&);
+Figure seesaw_figure(const FigureContext&);
+Figure energy_figure(const FigureContext&);
+Figure knot_insertion(const FigureContext&);
+Figure height_field(const FigureContext&);
+Figure kernels_figure(const FigureContext&);
+
+const std::vector<FigureEntry>& catalog() {
+  static const std::vector<FigureEntry> entries = {
+      {"turk2002-fig01", "curves from boundary constraints and one interior constraint", turk2002_fig01},
+      {"turk2002-fig04", "curves inside a cage of exterior constraints", turk2002_fig04},
+      {"turk2002-fig05", "one normal constraint bends a curve", turk2002_fig05},
+      {"seesaw", "each boundary constraint acts much like a see-saw", seesaw_figure},
+      {"energy", "bending energy from the weights and by quadrature", energy_figure},
+      {"knot-insertion", "new boundary constraints leave the curve unchanged", knot_insertion},
+      {"height-field", "a thin-plate height field, and why it cannot close", height_field},
+      {"kernels", "the same constraints under three kernels", kernels_figure},
+  };
+  return entries;
+}
+
+const FigureEntry* figure_named(const std::string& id) {
+  for (const FigureEntry& entry : catalog())
+    if (entry.id == id) return &entry;
+  return nullptr;
+}
+
+}  // namespace seesaw

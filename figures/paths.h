@@ -1,0 +1,11 @@
+// Where the figures' scenes are: beside an installed program, or in the source tree it was built from.
+#pragma once
+
+#include <filesystem>
+
+namespace seesaw {
+
+/// PREFIX/share/seesaw/scenes if the running program is PREFIX/bin/figures, else figures/scenes of the source tree.
+std::filesystem::path scenes_folder();
+
+}  // namespace seesaw
