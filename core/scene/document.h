@@ -38,6 +38,8 @@ struct SceneConstraint {
   Constraint<Dim> constraint;
   /// Drawn red: the figures' way to say "new" or "moved".
   bool highlight = false;
+  /// Its normal constraint alone drawn red.
+  bool highlight_normal = false;
   /// Written beside it; empty for none.
   std::string label = {};
   Extras extras = {};

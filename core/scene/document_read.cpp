@@ -117,6 +117,7 @@ SceneConstraint<Dim> scene_constraint_of(JsonValue value) {
       break;
   }
   members.read("highlight", result.highlight);
+  members.read("highlight_normal", result.highlight_normal);
   members.read("label", result.label);
   result.extras = members.extras();
   members.check(fault_of(result));

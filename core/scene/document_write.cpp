@@ -53,6 +53,7 @@ std::string text_of(const SceneConstraint<Dim>& each) {
   }
   if (c.kind != ConstraintKind::boundary) line.add("value", json_number(c.value));
   if (each.highlight) line.add("highlight", boolean(true));
+  if (each.highlight_normal) line.add("highlight_normal", boolean(true));
   if (!each.label.empty()) line.add("label", json_string(each.label));
   line.add(each.extras);
   return line.text();

@@ -56,7 +56,7 @@ const char* const full = R"({
   "apple": {"b": [1, 2.0, -3], "a": {}},
   "constraints": [
     {"kind": "boundary", "at": [0, 1, 2]},
-    {"kind": "boundary", "at": [0, 1, 2], "normal": [0, 0, 2], "offset": -0.5, "value": -1, "highlight": true, "label": "spike", "z": 1, "a": []},
+    {"kind": "boundary", "at": [0, 1, 2], "normal": [0, 0, 2], "offset": -0.5, "value": -1, "highlight": true, "highlight_normal": true, "label": "spike", "z": 1, "a": []},
     {"kind": "exterior", "at": [9, 9, 9], "value": -0.5}
   ]
 }
@@ -97,6 +97,7 @@ TEST(DocumentJson, EverythingIsReadWhereItBelongs) {
   EXPECT_FALSE(document.constraints[0].constraint.normal);
   const SceneConstraint<3>& spike = document.constraints[1];
   EXPECT_TRUE(spike.highlight);
+  EXPECT_TRUE(spike.highlight_normal);
   EXPECT_EQ(spike.label, "spike");
   EXPECT_EQ(spike.extras, (Extras{{"z", "1"}, {"a", "[]"}}));
   ASSERT_TRUE(spike.constraint.normal);
@@ -204,6 +205,7 @@ TEST(DocumentJson, EqualMeansEverywhere) {
     EXPECT_TRUE(changed([&](Document<3>& d) { d.display.*each.member = !(d.display.*each.member); }));
   EXPECT_TRUE(changed([](Document<3>& d) { d.constraints.pop_back(); }));
   EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].highlight = false; }));
+  EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].highlight_normal = true; }));
   EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].label = "x"; }));
   EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].extras.clear(); }));
   EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].constraint.normal.reset(); }));

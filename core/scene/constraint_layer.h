@@ -1,0 +1,20 @@
+// The constraints of a document as the papers draw them: open circles, plus and minus signs, spikes.
+//
+// Before it: a document and a view.  After it: nothing; it is the topmost layer of core/scene/picture.h.
+#pragma once
+
+#include "core/image/canvas.h"
+#include "core/scene/document.h"
+#include "core/scene/plan_view.h"
+
+namespace seesaw {
+
+struct PictureOptions;
+
+/// Draws what the display's `constraints` and `normals` ask for, red where highlighted, with labels.
+void draw_constraints(Canvas& canvas, const PlanView& view, const Document<2>& document, const PictureOptions& options);
+
+/// Where the symbols stand on the page.
+std::vector<Point<2>> symbol_places(const PlanView& view, const Document<2>& document);
+
+}  // namespace seesaw
