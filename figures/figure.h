@@ -36,22 +36,22 @@ Check equal(std::string name, double value, double wanted);
 
 /// One picture of a figure; also a PNG of its own.
 struct Panel {
-  std::string name;   ///< "left"; part of the file's name
-  std::string title;  ///< set above the picture
+  std::string name = {};   ///< "left"; part of the file's name
+  std::string title = {};  ///< set above the picture
   double width = 380, height = 380;  ///< of the picture, points
-  std::function<void(Canvas&, const Rect&)> draw;
+  std::function<void(Canvas&, const Rect&)> draw = {};
   Facts facts = Facts::object();
 };
 
 struct Figure {
-  std::string id;     ///< "turk2002-fig01"
-  std::string paper;  ///< where the figure is from
-  std::string title;
-  std::string shows;    ///< what the paper says that it shows
-  std::string caption;  ///< what ours shows, with measured numbers; set below the panels
-  std::vector<Panel> panels;
+  std::string id = {};     ///< "turk2002-fig01"
+  std::string paper = {};  ///< where the figure is from
+  std::string title = {};
+  std::string shows = {};    ///< what the paper says that it shows
+  std::string caption = {};  ///< what ours shows, with measured numbers; set below the panels
+  std::vector<Panel> panels = {};
   std::size_t columns = 0;  ///< panels side by side; 0 for all of them
-  std::vector<Check> checks;
+  std::vector<Check> checks = {};
 
   bool holds() const;
 };

@@ -49,10 +49,11 @@ std::vector<double> isoline_levels(double lowest, double highest) {
   const auto largest_under = [](double limit, std::size_t most) {
     std::vector<double> levels;
     if (!(limit > 0) || !std::isfinite(limit)) return levels;
-    for (int power = static_cast<int>(std::ceil(std::log10(limit))); levels.size() < most; --power)
+    const int top = static_cast<int>(std::ceil(std::log10(limit)));
+    for (int power = top; power > top - 3; --power)
       for (const double digit : {5.0, 2.0, 1.0}) {
         const double level = digit * std::pow(10.0, power);
-        if (level < limit && levels.size() < most) levels.push_back(level);
+        if (level < limit && level > limit / 20 && levels.size() < most) levels.push_back(level);
       }
     return levels;
   };
@@ -77,19 +78,25 @@ struct Place {
   double straight = -1;  // 1 where the line does not bend under the label
 };
 
+double clearance_of(const Point<2>& at, const std::vector<Point<2>>& others) {
+  double clearance = std::numeric_limits<double>::infinity();
+  for (const Point<2>& other : others) clearance = std::min(clearance, (other - at).norm());
+  return clearance;
+}
+
 // The straightest stretch of the polyline (page coordinates) as long as the label, well inside the page, and clear of
 // what is there already.
 Place label_place(const Points<2>& line, bool closed, double width, const Rect& page,
-                  const std::vector<Point<2>>& taken) {
+                  const std::vector<Point<2>>& taken, const std::vector<Polyline>& curves, double height) {
   Place best;
   const Index n = line.cols();
   const Rect inner = page.inset(0.7 * width);
   for (Index i = 0; i < n; ++i) {
     const Point<2> at = line.col(i);
     if (!inner.contains(at)) continue;
-    double clearance = std::numeric_limits<double>::infinity();
-    for (const Point<2>& other : taken) clearance = std::min(clearance, (other - at).norm());
-    if (clearance < 0.9 * width) continue;
+    if (clearance_of(at, taken) < 0.9 * width) continue;
+    if (std::any_of(curves.begin(), curves.end(), [&](const Polyline& curve) { return distance(curve, at) < height; }))
+      continue;
     const auto walk = [&](Index step) {
       double way = 0;
       Index j = i;
@@ -117,33 +124,38 @@ Place label_place(const Points<2>& line, bool closed, double width, const Rect& 
 }  // namespace
 
 void draw_isolines(Canvas& canvas, const PlanView& view, const Field<2>& field, const SampledField& sampled,
-                   double range, bool on_colors, double text_size, const std::vector<Point<2>>& keep_clear) {
+                   const IsolineStyle& style) {
   const std::vector<double> levels = isoline_levels(sampled.lowest, sampled.highest);
   const std::vector<Contour> contours = isolines(field, view.scene, levels, {.cells = 96});
-  const Stroke stroke{.color = theme::isoline.with_alpha(on_colors ? 0.75 : 0.9), .width = 0.7};
+  const Stroke stroke{.color = theme::isoline.with_alpha(style.on_colors ? 0.75 : 0.9), .width = 0.7};
   for (const Contour& each : contours)
     for (const Polyline& polyline : each.polylines) {
       const Points<2> line = view.page_from_scene(polyline.vertices);
       polyline.closed ? canvas.polygon(line, stroke) : canvas.polyline(line, stroke);
     }
-  std::vector<Point<2>> taken = keep_clear;
+  std::vector<Polyline> curves = style.curves;
+  for (Polyline& curve : curves) curve.vertices = view.page_from_scene(curve.vertices);
+  std::vector<Point<2>> taken = style.symbols;
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    TextStyle style{.size = text_size, .color = theme::soft_ink, .align = Align::center, .vertical = VerticalAlign::middle};
-    style.halo = 2.5;
-    style.halo_color = on_colors ? diverging_color(0.9 * color_depth(levels[k], range)) : theme::paper;
+    TextStyle text_style{.size = style.text_size,
+                         .color = theme::soft_ink,
+                         .align = Align::center,
+                         .vertical = VerticalAlign::middle,
+                         .halo = 2.5};
+    if (style.on_colors) text_style.halo_color = diverging_color(0.9 * color_depth(levels[k], style.range));
     const std::string text = label_of(levels[k]);
-    const double width = measure_text(text, style).width + 2 * text_size;
+    const double width = measure_text(text, text_style).width + 2 * style.text_size;
     // One label a level, on its longest piece that has room for it.
     std::vector<const Polyline*> pieces;
     for (const Polyline& polyline : contours[k].polylines) pieces.push_back(&polyline);
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const Polyline* a, const Polyline* b) { return length(*a) > length(*b); });
     for (const Polyline* piece : pieces) {
-      const Place place =
-          label_place(view.page_from_scene(piece->vertices), piece->closed, width, view.page, taken);
+      const Place place = label_place(view.page_from_scene(piece->vertices), piece->closed, width, view.page, taken,
+                                      curves, style.text_size);
       if (place.straight < 0.9) continue;
-      style.rotation = place.angle;
-      canvas.text(place.at, text, style);
+      text_style.rotation = place.angle;
+      canvas.text(place.at, text, text_style);
       taken.push_back(place.at);
       break;
     }

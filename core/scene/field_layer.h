@@ -3,10 +3,13 @@
 // Before it: a field and a view.  After it: core/scene/picture.h draws curve and constraints over it.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/image/canvas.h"
 #include "core/implicit/field.h"
+#include "core/mesh/polyline.h"
 #include "core/scene/plan_view.h"
 
 namespace seesaw {
@@ -29,11 +32,19 @@ double color_depth(double value, double range);
 void draw_field_colors(Canvas& canvas, const PlanView& view, const SampledField& sampled, double range);
 
 /// Levels of 1, 2, 5 times a power of ten and their negatives, without zero, that fit between `lowest` and `highest`:
-/// at most four inside and five outside, the largest ones. Ascending.
+/// at most four inside and five outside, the largest ones, none below a twentieth of the largest. Ascending.
 std::vector<double> isoline_levels(double lowest, double highest);
 
-/// Draws and labels them. `keep_clear` are page points (symbols) that no label may cover.
+struct IsolineStyle {
+  double range = 1.0;       ///< of the colors beneath
+  bool on_colors = false;   ///< whether there are any
+  double text_size = 8.5;   ///< points
+  std::vector<Point<2>> symbols = {};   ///< page points that a label keeps well away from
+  std::vector<Polyline> curves = {};    ///< scene curves that a label does not touch
+};
+
+/// Draws and labels them.
 void draw_isolines(Canvas& canvas, const PlanView& view, const Field<2>& field, const SampledField& sampled,
-                   double range, bool on_colors, double text_size, const std::vector<Point<2>>& keep_clear);
+                   const IsolineStyle& style);
 
 }  // namespace seesaw

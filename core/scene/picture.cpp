@@ -105,8 +105,12 @@ DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>
     if (!display.field && options.tint_inside) tint_inside(canvas, view, curve.polylines);
     if (display.grid) draw_grid(canvas, view);
     if (display.isolines)
-      draw_isolines(canvas, view, field, sampled, range, display.field, options.text_size,
-                    symbol_places(view, document));
+      draw_isolines(canvas, view, field, sampled,
+                    {.range = range,
+                     .on_colors = display.field,
+                     .text_size = options.text_size,
+                     .symbols = symbol_places(view, document),
+                     .curves = curve.polylines});
   } else {
     if (options.tint_inside) tint_inside(canvas, view, curve.polylines);
     if (display.grid) draw_grid(canvas, view);
