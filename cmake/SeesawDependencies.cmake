@@ -46,3 +46,5 @@ set_property(TARGET SeesawDeps::stb PROPERTY INTERFACE_INCLUDE_DIRECTORIES ${SEE
 
 find_package(nlohmann_json 3.11 REQUIRED)
 seesaw_dependency(json nlohmann_json::nlohmann_json)
+find_package(CLI11 REQUIRED)
+seesaw_dependency(cli CLI11::CLI11)

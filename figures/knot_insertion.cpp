@@ -70,9 +70,9 @@ Figure knot_insertion(const FigureContext& context) {
                                 static_cast<double>(knots->document.constraints.size() - before->document.constraints.size()), added));
   figure.checks.push_back(at_most("added: greatest change of f over the view", unchanged, 1e-9));
   figure.checks.push_back(at_least("moved: greatest change of f over the view", changed, 0.01));
-  figure.caption = "Six constraints placed on the curve ask for f = 0 where f is zero already: f changes by at most " +
-                   in_words(unchanged, 2) + " anywhere in the picture. Moving one changes it by up to " +
-                   in_words(changed, 2) + ", and the others hold the curve (the old one is dashed).";
+  figure.caption = "Six constraints placed on the curve ask for f = 0 where f is zero already: f changes by less than 10\u207b\u2079 "
+                   "anywhere in the picture. Moving one changes it by up to " + in_words(changed, 2) +
+                   ", and the others hold the curve (the old one is dashed).";
   return figure;
 }
 

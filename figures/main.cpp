@@ -43,7 +43,8 @@ std::vector<const FigureEntry*> entries_of(const std::vector<std::string>& ids) 
 }
 
 // 0 when every check holds, 1 when one does not.
-int make_figures(const std::vector<std::string>& ids, const std::filesystem::path& folder, double scale) {
+int make_figures(const std::vector<std::string>& ids, const std::filesystem::path& folder, double scale,
+                 bool update_references) {
   const auto entries = entries_of(ids);
   const bool all = std::find(ids.begin(), ids.end(), "all") != ids.end();
   std::vector<Facts> descriptions;
@@ -53,6 +54,7 @@ int make_figures(const std::vector<std::string>& ids, const std::filesystem::pat
     const auto start = std::chrono::steady_clock::now();
     const Figure figure = entries[i]->make({scenes_folder(), {}});
     write_figure(figure, folder, scale);
+    if (update_references) write_reference(figure, reference_folder());
     descriptions.push_back(description_of(figure));
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::cout << "  " << to_text(seconds, 2) << " s";
@@ -93,6 +95,9 @@ int run(int argc, char** argv) {
   make->add_option("ID", ids, "figures to make, or 'all'");
   make->add_option("--out", folder, "the folder for the files")->capture_default_str();
   make->add_option("--scale", scale, "pixels a point")->check(CLI::Range(0.1, 16.0))->capture_default_str();
+  bool update_references = false;
+  make->add_flag("--update-references", update_references,
+                 "also replace the pictures in figures/reference that tests compare with; look at them first");
 
   auto* rendering = app.add_subcommand("render", "draw a 2D scene");
   std::string scene, output;
@@ -111,7 +116,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   if (list->parsed()) list_figures();
-  if (make->parsed()) return make_figures(ids, folder, scale);
+  if (make->parsed()) return make_figures(ids, folder, scale, update_references);
   if (rendering->parsed()) return render(scene, output, size);
   return 0;
 }

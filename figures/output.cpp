@@ -52,4 +52,8 @@ void write_figure(const Figure& figure, const std::filesystem::path& folder, dou
   write_file(folder / (figure.id + ".json"), description_of(figure).dump(2) + "\n");
 }
 
+void write_reference(const Figure& figure, const std::filesystem::path& folder) {
+  compose(figure).save(folder / (figure.id + ".png"), 1);
+}
+
 }  // namespace seesaw

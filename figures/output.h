@@ -12,4 +12,7 @@ Facts description_of(const Figure& figure);
 /// Throws FileError.
 void write_figure(const Figure& figure, const std::filesystem::path& folder, double scale = 2);
 
+/// Writes ID.png alone, one pixel a point, into `folder`: the reference that later pictures are compared with.
+void write_reference(const Figure& figure, const std::filesystem::path& folder);
+
 }  // namespace seesaw

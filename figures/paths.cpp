@@ -11,4 +11,6 @@ std::filesystem::path scenes_folder() {
   return fs::path(SEESAW_FIGURES_DIR) / "scenes";
 }
 
+std::filesystem::path reference_folder() { return std::filesystem::path(SEESAW_FIGURES_DIR) / "reference"; }
+
 }  // namespace seesaw

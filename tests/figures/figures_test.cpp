@@ -1,0 +1,129 @@
+// Every figure of the catalog: its checks hold, its facts have the agreed names, its picture looks like its reference.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "core/image/compare.h"
+#include "core/image/png.h"
+#include "core/scene/document_json.h"
+#include "figures/catalog.h"
+#include "figures/compose.h"
+#include "figures/gallery.h"
+#include "figures/output.h"
+#include "figures/paths.h"
+
+namespace seesaw {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FigureTest : public testing::TestWithParam<FigureEntry> {
+ protected:
+  static const Figure& figure() {
+    static std::map<std::string, Figure> made;
+    const auto& entry = GetParam();
+    if (!made.count(entry.id)) made.emplace(entry.id, entry.make({scenes_folder(), {}}));
+    return made.at(entry.id);
+  }
+};
+
+TEST_P(FigureTest, ItsChecksHold) {
+  EXPECT_EQ(figure().id, GetParam().id);
+  EXPECT_FALSE(figure().checks.empty());
+  for (const Check& check : figure().checks)
+    EXPECT_TRUE(check.holds()) << check.name << ": " << check.value << ", bound " << check.bound;
+  EXPECT_TRUE(figure().holds());
+}
+
+TEST_P(FigureTest, ItSaysWhatItShows) {
+  EXPECT_FALSE(figure().paper.empty());
+  EXPECT_FALSE(figure().shows.empty());
+  EXPECT_FALSE(figure().caption.empty());
+  std::set<std::string> names;
+  for (const Panel& panel : figure().panels) {
+    EXPECT_TRUE(names.insert(panel.name).second) << "two panels are called " << panel.name;
+    EXPECT_FALSE(panel.facts.empty()) << panel.name;
+  }
+}
+
+TEST_P(FigureTest, ItsFilesAreAsDescribed) {
+  const fs::path folder = fs::temp_directory_path() / ("seesaw_figures_" + std::to_string(::getpid()) + GetParam().id);
+  write_figure(figure(), folder, 0.5);
+  EXPECT_TRUE(fs::exists(folder / (figure().id + ".png")));
+  const Facts description = Facts::parse(std::ifstream(folder / (figure().id + ".json")));
+  EXPECT_EQ(description["figure"], figure().id);
+  EXPECT_EQ(description["holds"], true);
+  ASSERT_EQ(description["panels"].size(), figure().panels.size());
+  for (const auto& panel : description["panels"]) {
+    EXPECT_FALSE(read_png(folder / panel["png"].get<std::string>()).empty());
+    EXPECT_TRUE(panel["facts"].is_object());
+  }
+  for (const auto& check : description["checks"])
+    for (const char* key : {"name", "value", "bound", "holds"}) EXPECT_TRUE(check.contains(key)) << key;
+  fs::remove_all(folder);
+}
+
+TEST_P(FigureTest, ItLooksLikeItsReference) {
+  const Image picture = compose(figure()).image(1);
+  const fs::path path = reference_folder() / (GetParam().id + ".png");
+  ASSERT_TRUE(fs::exists(path)) << "make it: figures make " << GetParam().id << " --update-references, and look at it";
+  const Image reference = read_png(path);
+  const Comparison comparison = compare_images(picture, reference);
+  // A line moved by a pixel reaches about 16 and a missing symbol more than 25; the mean catches a change of color.
+  const bool alike = comparison.same_size && comparison.worst < 18 && comparison.mean < 0.5;
+  EXPECT_TRUE(alike) << "worst " << comparison.worst << ", mean " << comparison.mean << ", noticeable "
+                     << comparison.noticeable;
+  if (!alike) {
+    const fs::path shown = fs::temp_directory_path() / (GetParam().id + "-difference.png");
+    write_png(shown, difference_picture(picture, reference));
+    std::cout << "ours, reference and difference: " << shown << '\n';
+  }
+}
+
+std::string name_of_case(const testing::TestParamInfo<FigureEntry>& info) {
+  std::string name = info.param.id;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(All, FigureTest, testing::ValuesIn(catalog()), name_of_case);
+
+TEST(Figures, EverySceneFileBelongsToAFigureAndOpens) {
+  std::size_t count = 0;
+  for (const auto& file : fs::directory_iterator(scenes_folder())) {
+    const auto document = read_document<2>(file.path());
+    EXPECT_NE(figure_named(document.figure), nullptr) << file.path();
+    EXPECT_FALSE(document.title.empty()) << file.path();
+    EXPECT_FALSE(document.description.empty()) << file.path();
+    ++count;
+  }
+  EXPECT_GE(count, 9u);
+}
+
+TEST(Figures, AFailedCheckFailsTheFigure) {
+  Figure figure;
+  figure.checks = {at_most("small", 1, 2), at_least("large", 3, 2), equal("same", 2, 2)};
+  EXPECT_TRUE(figure.holds());
+  figure.checks.push_back(at_most("not a number", std::nan(""), 1));
+  EXPECT_FALSE(figure.holds());
+  EXPECT_FALSE(at_most("", 3, 2).holds());
+  EXPECT_FALSE(at_least("", 1, 2).holds());
+  EXPECT_FALSE(equal("", 1, 2).holds());
+}
+
+TEST(Figures, TheGalleryShowsFailuresAndEscapesWords) {
+  Figure figure{.id = "x", .paper = "A & B", .title = "<title>", .shows = "s", .caption = "c"};
+  figure.checks = {at_most("a check", 3, 2)};
+  const std::string page = gallery_page({description_of(figure)});
+  EXPECT_NE(page.find("FAILS"), std::string::npos);
+  EXPECT_NE(page.find("A &amp; B"), std::string::npos);
+  EXPECT_NE(page.find("&lt;title&gt;"), std::string::npos);
+  EXPECT_EQ(page.find("<title>\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace seesaw
