@@ -47,7 +47,7 @@ void write_file(const fs::path& path, std::string_view bytes) {
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
   std::string temporary = target.string() + ".XXXXXX";
   const int file = ::mkstemp(temporary.data());
-  if (file < 0) fail("no temporary file beside it");
+  if (file < 0) fail("no file can be made in its folder");
   const auto give_up = [&](const char* what) {
     const int why = errno;
     ::close(file);

@@ -16,8 +16,14 @@ std::optional<double> parse_number(std::string_view text) {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc()) return value;
+  if (error != std::errc::result_out_of_range) return std::nullopt;
+  // Too large or too small for a double: infinity or zero, which the wider type tells apart.
+  long double wide = 0;
+  const auto again = std::from_chars(text.data(), text.data() + text.size(), wide);
+  if (again.ec != std::errc()) return std::nullopt;
+  return static_cast<double>(wide);
 }
 
 }  // namespace seesaw

@@ -12,7 +12,7 @@ namespace seesaw {
 std::string to_text(double value, int digits = 6);
 
 /// The number that `text` holds from its first to its last character, or nothing. "nan" and "inf" are numbers
-/// here; the caller refuses them where they make no sense. A leading '+' is allowed.
+/// here, 1e400 is infinity and 1e-400 zero; the caller refuses what makes no sense. A leading '+' is allowed.
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace seesaw

@@ -22,7 +22,8 @@ double inside_area(const Crossings& curve, const std::vector<Polyline>& polyline
   const auto add_side = [&](int i, int j, int side, Index from, Index to) {
     if (mesh.first_triangle(i, j) < 0) {
       // A cell that was not made has one sign.
-      if (mesh.inside(static_cast<int>(from))) add(mesh.position(static_cast<int>(from)), mesh.position(static_cast<int>(to)));
+      if (mesh.inside(static_cast<int>(from)))
+        add(mesh.position(static_cast<int>(from)), mesh.position(static_cast<int>(to)));
       return;
     }
     mesh.for_each_edge_on_side(i, j, side, [&](int t, int k) {
@@ -30,7 +31,8 @@ double inside_area(const Crossings& curve, const std::vector<Polyline>& polyline
       Point<2> start = mesh.position(a), end = mesh.position(b);
       if (!mesh.inside(a) && !mesh.inside(b)) return;
       if (mesh.inside(a) != mesh.inside(b))
-        (mesh.inside(a) ? end : start) = curve[mesh.triangle(t).crossing[static_cast<std::size_t>(k)]].position;
+        (mesh.inside(a) ? end : start) =
+            curve[mesh.triangle(t).crossing[static_cast<std::size_t>(k)]].position;
       add(start, end);
     });
   };

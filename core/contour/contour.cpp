@@ -34,23 +34,32 @@ void count_seeds(const std::vector<Seed>& seeds, Contour& result) {
   for (const Seed& seed : seeds) {
     if (!seed.given) continue;
     switch (seed.state) {
-      case Seed::State::satisfied: ++result.seeds_on_curve; break;
-      case Seed::State::outside_box: ++result.seeds_outside_box; break;
-      case Seed::State::off_curve: ++result.seeds_off_curve; break;
+      case Seed::State::satisfied:
+        ++result.seeds_on_curve;
+        break;
+      case Seed::State::outside_box:
+        ++result.seeds_outside_box;
+        break;
+      case Seed::State::off_curve:
+        ++result.seeds_off_curve;
+        break;
       case Seed::State::pending:
       case Seed::State::exhausted:
-      case Seed::State::lost: ++result.seeds_lost; break;
+      case Seed::State::lost:
+        ++result.seeds_lost;
+        break;
     }
   }
 }
 
 // Everything after the lattice is known.
-Contour contour_of(const Lattice& lattice, Sampler& sampler, const PointsRef<2>& points, const ContourOptions& options,
-                   const Progress& progress, double from) {
+Contour contour_of(const Lattice& lattice, Sampler& sampler, const PointsRef<2>& points,
+                   const ContourOptions& options, const Progress& progress, double from) {
   Contour result;
   Stopwatch watch;
   // Two bisections halve a triangle.
-  const int turns = static_cast<int>(std::lround(2 * std::log2(static_cast<double>(options.finest_cells) / options.cells)));
+  const int turns =
+      static_cast<int>(std::lround(2 * std::log2(static_cast<double>(options.finest_cells) / options.cells)));
   Triangulation triangulation(lattice, std::clamp(turns, 2, 60));
   Crossings curve(triangulation, sampler);
   std::vector<Seed> seeds = make_seeds(curve, points);
@@ -65,7 +74,7 @@ Contour contour_of(const Lattice& lattice, Sampler& sampler, const PointsRef<2>&
   result.complete = refine(curve, seeds, options, progress, from);
   result.times.refine += watch.lap();
   attach_seeds(curve, seeds);
-  result.polylines = trace(curve, seeds);
+  result.polylines = trace(curve, seeds, options.angle_tolerance);
   result.area = inside_area(curve, result.polylines);
   result.components = static_cast<Index>(result.polylines.size());
   for (const Polyline& polyline : result.polylines) {
@@ -99,7 +108,8 @@ std::vector<Contour> contours(const Field<2>& field, const Box<2>& box, const Po
     Sampler sampler(field, levels[k]);
     Lattice lattice = shared;
     lattice.values.array() -= levels[k];
-    const double from = lattice_share + (1 - lattice_share) * static_cast<double>(k) / static_cast<double>(levels.size());
+    const double from =
+        lattice_share + (1 - lattice_share) * static_cast<double>(k) / static_cast<double>(levels.size());
     Contour& result = results[k] = contour_of(lattice, sampler, seeds, options, progress, from);
     result.times.lattice = lattice_time;
     result.evaluations = plain.evaluations + sampler.evaluations;
@@ -112,12 +122,13 @@ std::vector<Contour> contours(const Field<2>& field, const Box<2>& box, const Po
 
 }  // namespace
 
-Contour contour(const Field<2>& field, const Box<2>& box, const PointsRef<2>& seeds, const ContourOptions& options,
-                const Progress& progress) {
+Contour contour(const Field<2>& field, const Box<2>& box, const PointsRef<2>& seeds,
+                const ContourOptions& options, const Progress& progress) {
   return std::move(contours(field, box, seeds, {options.level}, options, progress).front());
 }
 
-Contour contour(const Field<2>& field, const Box<2>& box, const ContourOptions& options, const Progress& progress) {
+Contour contour(const Field<2>& field, const Box<2>& box, const ContourOptions& options,
+                const Progress& progress) {
   return contour(field, box, Points<2>(2, 0), options, progress);
 }
 

@@ -6,22 +6,26 @@
 // How it works, one file a step:
 //   lattice.h        the box is a lattice of square cells; f is evaluated at all corners in one batch
 //   triangulation.h  every cell is two triangles, and triangles can be bisected without ever leaving a gap
-//   roots.h          where an edge's ends differ in sign, f = 0 somewhere on it: found to rounding, all edges at once
-//   refine.h         triangles are bisected where the curve turns too much, or where a seed says that the curve is
+//   roots.h          where an edge's ends differ in sign, f = 0 somewhere on it: found to rounding, all edges
+//   at once crossings.h      a triangle has either no crossing or exactly one way through seeds.h          is
+//   the curve that is seen the curve through the constraints? refine.h         triangles are bisected where
+//   the curve turns too much, or where a seed says that the curve is
 //                    not the one seen: a tiny loop between the lattice corners, two sheets closer than a cell
-//   hidden.h         a corner that is higher than all its neighbors but still outside may stand beside a small
+//   hidden.h         a corner that is higher than all its neighbors but still outside may stand beside a
+//   small
 //                    component: climb and look
-//   trace.h          walk from triangle to triangle; a triangle has either no crossing or exactly one way through
+//   trace.h          walk from triangle to triangle
 //
-// The sign rule. T&O interpolants are exactly zero at their constraints, and constraints love lattice corners, so
-// f == 0 at a corner is the normal case. One rule holds everywhere: f >= 0 is inside (-0.0 too), everything else is
-// outside, also what is not a finite number. The triangles fit together without gaps, so whatever the values are,
-// every polyline closes or ends on the box. A crossing whose inside end is exactly zero lies exactly at that end;
-// pieces of curve with nothing inside them (f touches zero from below, in a point or along a line) are dropped.
+// The sign rule. T&O interpolants are exactly zero at their constraints, and constraints love lattice
+// corners, so f == 0 at a corner is the normal case. One rule holds everywhere: f >= 0 is inside (-0.0 too),
+// everything else is outside, also what is not a finite number. The triangles fit together without gaps, so
+// whatever the values are, every polyline closes or ends on the box. A crossing whose inside end is exactly
+// zero lies exactly at that end; pieces of curve with nothing inside them (f touches zero from below, in a
+// point or along a line) are dropped.
 //
-// What is promised: every vertex lies on the zero set as well as doubles can say, |f| / |grad f| <= 1e-12 of the
-// box; the curve passes exactly through every seed, at any resolution. What is not: a component through no seed,
-// smaller than a cell, whose presence no lattice corner feels, stays unseen.
+// What is promised: every vertex lies on the zero set as well as doubles can say, |f| / |grad f| <= 1e-12 of
+// the box; the curve passes exactly through every seed, at any resolution. What is not: a component through
+// no seed, smaller than a cell, whose presence no lattice corner feels, stays unseen.
 #pragma once
 
 #include <vector>
@@ -37,15 +41,16 @@ struct ContourOptions {
   int cells = 128;
   /// The curve f = level is drawn, with f >= level inside.
   double level = 0.0;
-  /// The curve's normal turns by no more than this from one vertex to the next, in radians, unless that would take
-  /// triangles smaller than the cells of a lattice of `finest_cells`. At a corner of the curve it always would. Loops
-  /// that need smaller triangles to be seen at all are refined as far below their own size.
+  /// The curve's normal turns by no more than this from one vertex to the next, in radians, unless that would
+  /// take triangles smaller than the cells of a lattice of `finest_cells`. At a corner of the curve it always
+  /// would. Loops that need smaller triangles to be seen at all are refined as far below their own size.
   double angle_tolerance = 0.175;
   int finest_cells = 2048;
   /// Climb from lattice corners to components that the lattice does not see.
   bool find_hidden = true;
-  /// Refinement stops at this many vertices beyond the lattice's, with Contour::complete = false: the curve is then
-  /// coarser than asked for, but still closed or ended on the box. For fields that vary wildly everywhere.
+  /// Refinement stops at this many vertices beyond the lattice's, with Contour::complete = false: the curve
+  /// is then coarser than asked for, but still closed or ended on the box. For fields that vary wildly
+  /// everywhere.
   Index max_refined_vertices = 1'000'000;
 };
 
@@ -72,26 +77,26 @@ struct Contour {
   Index seeds_lost = 0;         ///< a curve passes there and is not in `polylines`: 0 whenever `complete`
 
   // What it took.
-  Index evaluations = 0;         ///< points at which the field was evaluated
+  Index evaluations = 0;           ///< points at which the field was evaluated
   Index gradient_evaluations = 0;  ///< how many of them with their gradient
-  Index nonfinite = 0;           ///< evaluations that gave no finite number; they count as outside
-  bool complete = true;          ///< false when max_refined_vertices stopped the refinement
+  Index nonfinite = 0;             ///< evaluations that gave no finite number; they count as outside
+  bool complete = true;            ///< false when max_refined_vertices stopped the refinement
   ContourTimes times;
 };
 
-/// The curve f = options.level in `box`. `seeds` is 2 x N: points known to be on the curve, the boundary constraints;
-/// a seed on which f is not quite `level` is moved along the gradient until it is, if that is near. The result does
-/// not depend on the number of threads.
-/// An empty box, or one without width or height, or without bounds, has no curve. Throws Cancelled.
-Contour contour(const Field<2>& field, const Box<2>& box, const PointsRef<2>& seeds, const ContourOptions& options = {},
-                const Progress& progress = {});
+/// The curve f = options.level in `box`. `seeds` is 2 x N: points known to be on the curve, the boundary
+/// constraints; a seed on which f is not quite `level` is moved along the gradient until it is, if that is
+/// near. The result does not depend on the number of threads. An empty box, or one without width or height,
+/// or without bounds, has no curve. Throws Cancelled.
+Contour contour(const Field<2>& field, const Box<2>& box, const PointsRef<2>& seeds,
+                const ContourOptions& options = {}, const Progress& progress = {});
 
 /// Without seeds.
 Contour contour(const Field<2>& field, const Box<2>& box, const ContourOptions& options = {},
                 const Progress& progress = {});
 
-/// One contour a level, in the order of `levels` (options.level is not looked at). The lattice is evaluated once for
-/// all of them, which is nearly all of the cost.
+/// One contour a level, in the order of `levels` (options.level is not looked at). The lattice is evaluated
+/// once for all of them, which is nearly all of the cost.
 std::vector<Contour> isolines(const Field<2>& field, const Box<2>& box, const std::vector<double>& levels,
                               const ContourOptions& options = {}, const Progress& progress = {});
 

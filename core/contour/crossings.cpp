@@ -52,8 +52,8 @@ void Crossings::update(int first) {
     Crossing crossing{roots.positions.col(i), roots.gradients.col(i)};
     crossing.edge_length = (outside.col(i) - inside.col(i)).norm();
     if (inside_values[i] == 0) crossing.corner = edges[static_cast<std::size_t>(i)].inside;
-    // No zero within a thousandth of the edge by the gradient's own word: f jumps, and its gradient says nothing
-    // about where the curve runs.
+    // No zero within a thousandth of the edge by the gradient's own word: f jumps, and its gradient says
+    // nothing about where the curve runs.
     if (std::abs(roots.values[i]) > 1e-3 * crossing.edge_length * crossing.gradient.norm())
       crossing.gradient.setZero();
     crossings_.push_back(crossing);
@@ -70,8 +70,8 @@ Passage Crossings::passage(int t) const {
   const bool odd_inside = odd == 0 ? a : odd == 1 ? b : c;
   // Around a lone inside vertex the curve turns left, counter-clockwise; around a lone outside one, right.
   const int entry = odd_inside ? after : before, exit = odd_inside ? before : after;
-  return {triangle.crossing[static_cast<std::size_t>(entry)], triangle.crossing[static_cast<std::size_t>(exit)], entry,
-          exit};
+  return {triangle.crossing[static_cast<std::size_t>(entry)],
+          triangle.crossing[static_cast<std::size_t>(exit)], entry, exit};
 }
 
 }  // namespace seesaw

@@ -3,8 +3,9 @@
 // Before it: triangulation.h says which edges change sign, roots.h where on them.
 // After it: refine.h judges the pieces; trace.h strings them together.
 //
-// A triangle whose vertices are not all of one sign has two edges with a crossing, never one or three. So the curve
-// enters by one, leaves by the other, and the triangle next door continues it: closed loops, or ends on the box.
+// A triangle whose vertices are not all of one sign has two edges with a crossing, never one or three. So the
+// curve enters by one, leaves by the other, and the triangle next door continues it: closed loops, or ends on
+// the box.
 #pragma once
 
 #include <vector>
@@ -26,7 +27,7 @@ struct Crossing {
 
 /// The way through a mixed leaf, inside on its left.
 struct Passage {
-  int from, to;             ///< crossings
+  int from, to;               ///< crossings
   int entry_edge, exit_edge;  ///< edges of the triangle they lie on
 };
 
@@ -35,7 +36,8 @@ class Crossings {
   /// Keeps references. Finds the crossings of all leaves made so far.
   Crossings(Triangulation& triangulation, Sampler& sampler);
 
-  /// Evaluates f at new vertices and finds the crossings of the leaves among triangles `first`, `first` + 1, ...
+  /// Evaluates f at new vertices and finds the crossings of the leaves among triangles `first`, `first` + 1,
+  /// ...
   void update(int first);
 
   Triangulation& mesh() { return mesh_; }

@@ -2,11 +2,12 @@
 //
 // Before it: the lattice's values.  After it: points on the curve, which refine.h takes as seeds.
 //
-// A small island of f > 0 in a sea of f < 0 raises the sea around it: some corner near it is higher than all eight
-// around it, yet below zero. From such a corner we climb (and from the mirror image, a positive valley, descend) by
-// Newton's method in a trust region, the Hessian started from the corner's neighbors and improved on the way (BFGS).
-// Most corners turn out to stand beside a summit below zero, and three steps show that; where the climb crosses
-// zero, the curve lies between the corner and the climber.
+// A small island of f > 0 in a sea of f < 0 raises the sea around it: some corner near it is higher than all
+// eight around it, yet below zero. From such a corner we climb (and from the mirror image, a positive valley,
+// descend) by Newton's method in a trust region, the Hessian started from the corner's neighbors and improved
+// on the way (BFGS). Most corners turn out to stand beside a summit below zero, and three steps show that;
+// where the climb crosses zero, the curve lies between the corner and the climber. The same along the box's
+// sides, where a curve may poke into the box between two corners.
 #pragma once
 
 #include "core/contour/lattice.h"

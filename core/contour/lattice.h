@@ -2,9 +2,9 @@
 //
 // Before it: a box and how many cells.  After it: triangulation.h, which bisects where that is too coarse.
 //
-// Lattice coordinates (u, v) count cells: (0, 0) is the box's lower left corner, (nx, ny) its upper right one. All
-// vertices ever made are dyadic fractions of a cell, which doubles hold exactly: midpoints are exact, and "is this
-// point left of that edge" is never a matter of rounding between vertices.
+// Lattice coordinates (u, v) count cells: (0, 0) is the box's lower left corner, (nx, ny) its upper right
+// one. All vertices ever made are dyadic fractions of a cell, which doubles hold exactly: midpoints are
+// exact, and "is this point left of that edge" is never a matter of rounding between vertices.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,8 @@ struct Lattice {
 
   /// Scene coordinates of a lattice point; the box's own sides exactly on the box.
   Point<2> position(const Point<2>& uv) const {
-    return {coordinate(uv.x(), nx, box.min().x(), box.max().x()), coordinate(uv.y(), ny, box.min().y(), box.max().y())};
+    return {coordinate(uv.x(), nx, box.min().x(), box.max().x()),
+            coordinate(uv.y(), ny, box.min().y(), box.max().y())};
   }
   /// The reverse, up to rounding.
   Point<2> lattice_from_scene(const Point<2>& p) const {
@@ -65,7 +66,8 @@ inline void evaluate(Lattice& lattice, Sampler& sampler, const Progress& progres
   lattice.values.resize(lattice.corners());
   std::vector<double> xs(static_cast<std::size_t>(width));
   for (int i = 0; i < width; ++i)
-    xs[static_cast<std::size_t>(i)] = Lattice::coordinate(i, lattice.nx, lattice.box.min().x(), lattice.box.max().x());
+    xs[static_cast<std::size_t>(i)] =
+        Lattice::coordinate(i, lattice.nx, lattice.box.min().x(), lattice.box.max().x());
   // Large enough to fill all cores, small enough to be told to stop in time.
   const int rows = std::max(1, 65536 / width);
   Points<2> points;

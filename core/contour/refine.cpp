@@ -13,16 +13,17 @@ constexpr double other_curve_cosine = 0.707;  // 45 degrees
 constexpr double tiny_chord = 0.125;
 constexpr double other_curve_size = 0x1p-20;  // of the extent
 
-// The cosine of the angle between a gradient and a chord's left side; 1 where that says nothing: no gradient, or a
-// chord across a mere corner of the triangle, too short to have a direction.
+// The cosine of the angle between a gradient and a chord's left side; 1 where that says nothing: no gradient,
+// or a chord across a mere corner of the triangle, too short to have a direction.
 double chord_cosine(const Crossing& end, const Point<2>& chord) {
   const double length = chord.norm(), size = end.gradient.norm();
   if (!(size > 0) || length <= 1e-3 * end.edge_length) return 1;
   return end.gradient.dot(Point<2>(-chord.y(), chord.x())) / (size * length);
 }
 
-// The cosine of the largest angle between the gradients at the passage's ends and the left side of the chord, or of
-// the chords to and from the seeds `on_it` (the first and last along the curve), where the curve may have a corner.
+// The cosine of the largest angle between the gradients at the passage's ends and the left side of the chord,
+// or of the chords to and from the seeds `on_it` (the first and last along the curve), where the curve may
+// have a corner.
 double worst_cosine(const Crossing& a, const Crossing& b, const std::array<const Seed*, 2>& on_it) {
   if (on_it[0] != nullptr)
     return std::min(chord_cosine(a, on_it[0]->at - a.position), chord_cosine(b, b.position - on_it[1]->at));
@@ -59,8 +60,8 @@ class CornerSeeds {
 
 }  // namespace
 
-bool refine(Crossings& curve, std::vector<Seed>& seeds, const ContourOptions& options, const Progress& progress,
-            double from) {
+bool refine(Crossings& curve, std::vector<Seed>& seeds, const ContourOptions& options,
+            const Progress& progress, double from) {
   Triangulation& mesh = curve.mesh();
   const double smallest = std::max(other_curve_size * mesh.lattice().extent, 64 * mesh.lattice().grain);
   const double tolerance_cosine = std::cos(std::clamp(options.angle_tolerance, 1e-3, 3.0));
@@ -100,7 +101,8 @@ bool refine(Crossings& curve, std::vector<Seed>& seeds, const ContourOptions& op
       if (!settle_seeds(curve, seeds)) return true;
       check_seeds(curve, seeds, marked);
     }
-    if (mesh.refined_vertices() + static_cast<Index>(marked.size()) > options.max_refined_vertices) return false;
+    if (mesh.refined_vertices() + static_cast<Index>(marked.size()) > options.max_refined_vertices)
+      return false;
     for (const int t : marked)
       if (mesh.is_leaf(t)) mesh.bisect(t);
     bisected_since_check = true;

@@ -18,19 +18,20 @@ struct Search {
   bool newton = false;                                     // and whether it was Newton's
   double size = std::numeric_limits<double>::infinity();   // |f| before it
   double least = std::numeric_limits<double>::infinity();  // the smallest |f| met
-  int stalled = 0;  // Newton steps after which |f| had not halved
+  int stalled = 0;                                         // Newton steps after which |f| had not halved
 };
 
-// Near a root Newton's steps make |f| much smaller, unless rounding in f has set a floor; more steps there would only
-// roll dice. A floor further from the root than this many tolerances is no rounding, but a hard field.
+// Near a root Newton's steps make |f| much smaller, unless rounding in f has set a floor; more steps there
+// would only roll dice. A floor further from the root than this many tolerances is no rounding, but a hard
+// field.
 constexpr int stalls_allowed = 2;
 constexpr double floor_reach = 1e3;
 constexpr int most_steps = 120;
 
 }  // namespace
 
-Roots find_roots(Sampler& sampler, const Points<2>& inside, const Points<2>& outside, const Values& inside_values,
-                 const Values& outside_values, double tolerance) {
+Roots find_roots(Sampler& sampler, const Points<2>& inside, const Points<2>& outside,
+                 const Values& inside_values, const Values& outside_values, double tolerance) {
   const Index n = inside.cols();
   Roots roots{inside, Points<2>::Zero(2, n), inside_values};
   std::vector<Search> open(static_cast<std::size_t>(n));
@@ -80,7 +81,8 @@ Roots find_roots(Sampler& sampler, const Points<2>& inside, const Points<2>& out
         take();
         continue;
       }
-      if (search.stalled >= stalls_allowed && slope < 0 && newton_step * search.length <= floor_reach * tolerance)
+      if (search.stalled >= stalls_allowed && slope < 0 &&
+          newton_step * search.length <= floor_reach * tolerance)
         continue;  // with the least |f| met
       const double old = search.t;
       const bool trust = newton > search.low && newton < search.high && newton_step < 0.5 * search.step;

@@ -1,27 +1,17 @@
 #include "core/contour/trace.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/base/tolerances.h"
+#include "core/contour/thin.h"
 
 namespace seesaw {
 namespace {
 
-// A vertex nearer than this to the one before it, relative to its edge, says nothing new.
-constexpr double crowded = 0.02;
-
-struct Node {
-  Point<2> at;
-  double edge_length;
-  int corner = -1;
-  bool keep = false;     // a seed, or an end on the box
-  bool on_box = false;   // an end on the box
-  bool shadowed = false;  // a seed beside it takes its place
-};
-
-// A run of nodes along the curve. An end that is not on the box is where a dropped passage was cut out; there the
-// node is a zero corner, and another piece goes on from it.
+// A run of nodes along the curve. An end that is not on the box is where a dropped passage was cut out; there
+// the node is a zero corner, and another piece goes on from it.
 struct Piece {
   std::vector<Node> nodes;
   bool starts_on_box = false, ends_on_box = false, closed = false;
@@ -29,7 +19,8 @@ struct Piece {
 
 class Tracer {
  public:
-  Tracer(const Crossings& curve, const std::vector<Seed>& seeds) : curve_(curve), mesh_(curve.mesh()), seeds_(seeds) {
+  Tracer(const Crossings& curve, const std::vector<Seed>& seeds)
+      : curve_(curve), mesh_(curve.mesh()), seeds_(seeds) {
     for (std::size_t k = 0; k < seeds.size(); ++k)
       if (seeds[k].triangle >= 0) attached_.emplace_back(seeds[k].triangle, k);
     std::sort(attached_.begin(), attached_.end());
@@ -47,7 +38,8 @@ class Tracer {
   }
 
  private:
-  // Between two zero corners with f < 0 on both sides, the curve would run up one side and down the other of nothing.
+  // Between two zero corners with f < 0 on both sides, the curve would run up one side and down the other of
+  // nothing.
   bool is_whisker(int t, const Passage& passage) const {
     if (curve_[passage.from].corner < 0 || curve_[passage.to].corner < 0) return false;
     const int k = 3 - passage.entry_edge - passage.exit_edge;  // the edge that joins the two
@@ -59,7 +51,7 @@ class Tracer {
 
   Node node(int crossing, bool on_box) const {
     const Crossing& c = curve_[crossing];
-    return {c.position, c.edge_length, c.corner, on_box, on_box};
+    return {c.position, c.gradient, c.edge_length, c.corner, on_box, on_box};
   }
 
   void walk(int start, bool from_box) {
@@ -110,7 +102,8 @@ class Tracer {
     for (const auto& [where, k] : order) {
       if (where <= 0) piece.nodes.back().shadowed = true;
       if (where >= 1) to.shadowed = true;
-      if (seeds_[k].given) piece.nodes.push_back({seeds_[k].at, to.edge_length, -1, true});
+      if (seeds_[k].given)
+        piece.nodes.push_back({seeds_[k].at, seeds_[k].gradient, to.edge_length, -1, true});
     }
     piece.nodes.push_back(to);
   }
@@ -129,7 +122,8 @@ class Tracer {
   std::vector<Piece> pieces_;
 };
 
-// Joins pieces at the zero corners where whiskers were cut off. As many pieces start at such a corner as end there.
+// Joins pieces at the zero corners where whiskers were cut off. As many pieces start at such a corner as end
+// there.
 std::vector<Piece> joined(std::vector<Piece> pieces) {
   std::multimap<int, std::size_t> starts;
   for (std::size_t k = 0; k < pieces.size(); ++k)
@@ -160,46 +154,16 @@ std::vector<Piece> joined(std::vector<Piece> pieces) {
   return result;
 }
 
-// Leaves out nodes that coincide with a neighbor (within `coincident`) and, if `tidy`, those that crowd one.
-std::vector<Node> thinned(const Piece& piece, double coincident, bool tidy, const Box<2>& box) {
-  std::vector<Node> out;
-  const auto too_near = [&](const Node& loose, const Node& other) {
-    const double reach = tidy && !loose.keep ? std::max(coincident, crowded * loose.edge_length) : coincident;
-    return (loose.at - other.at).norm() <= reach;
-  };
-  for (Node node : piece.nodes) {
-    if (tidy && node.shadowed && !node.keep) continue;
-    while (!out.empty() && !out.back().keep && too_near(out.back(), node) && (node.keep || out.size() > 1)) out.pop_back();
-    if (!out.empty() && too_near(node, out.back())) {
-      // A seed exactly on the box and the curve's end there are one vertex: the seed, as it was given.
-      const bool seed_on_box = (node.at.array() == box.min().array() || node.at.array() == box.max().array()).any();
-      if (out.back().on_box && node.keep && seed_on_box) out.back().at = node.at;
-      if (!node.on_box) continue;
-      const Point<2> seed = out.back().at;
-      const bool keep_seed = (seed.array() == box.min().array() || seed.array() == box.max().array()).any();
-      out.pop_back();
-      if (keep_seed) node.at = seed;
-    }
-    out.push_back(node);
-  }
-  if (piece.closed) {
-    while (out.size() > 1 && !out.back().keep && too_near(out.back(), out.front())) out.pop_back();
-    while (out.size() > 1 && too_near(out.front(), out.back())) out.erase(out.begin());
-  }
-  return out;
-}
-
 }  // namespace
 
-std::vector<Polyline> trace(const Crossings& curve, const std::vector<Seed>& seeds) {
+std::vector<Polyline> trace(const Crossings& curve, const std::vector<Seed>& seeds, double angle_tolerance) {
   const Lattice& lattice = curve.mesh().lattice();
-  const double coincident = std::max(tolerance::on_curve * lattice.extent, lattice.grain);
+  const ThinLimits limits{std::max(tolerance::on_curve * lattice.extent, lattice.grain), 0.5 * lattice.cell,
+                          std::cos(0.25 * angle_tolerance), lattice.box};
   std::vector<Polyline> polylines;
   for (const Piece& piece : joined(Tracer(curve, seeds).pieces())) {
-    const std::size_t least = piece.closed ? 3 : 2;
-    std::vector<Node> nodes = thinned(piece, coincident, true, lattice.box);
-    if (nodes.size() < least) nodes = thinned(piece, coincident, false, lattice.box);
-    if (nodes.size() < least) continue;
+    const std::vector<Node> nodes = thinned(piece.nodes, piece.closed, limits);
+    if (nodes.size() < (piece.closed ? 3u : 2u)) continue;
     Polyline polyline;
     polyline.closed = piece.closed;
     polyline.vertices.resize(2, static_cast<Index>(nodes.size()));

@@ -37,7 +37,8 @@ Point<2> Triangulation::uv(int vertex) const {
 }
 
 double Triangulation::value(int vertex) const {
-  return vertex < corners_ ? lattice_.values[vertex] : refined_values_[static_cast<std::size_t>(vertex - corners_)];
+  return vertex < corners_ ? lattice_.values[vertex]
+                           : refined_values_[static_cast<std::size_t>(vertex - corners_)];
 }
 
 bool Triangulation::is_mixed(int t) const {
@@ -111,7 +112,8 @@ int Triangulation::neighbor_made(int t, int k) {
     const auto [a, b] = edge(t, k);
     const Point<2> p = uv(a), q = uv(b);
     const int i = static_cast<int>(std::min(p.x(), q.x())), j = static_cast<int>(std::min(p.y(), q.y()));
-    // The edge runs from (i, j) to the right or up; the cells beside it are (i, j) and the one below or to the left.
+    // The edge runs from (i, j) to the right or up; the cells beside it are (i, j) and the one below or to
+    // the left.
     if (first_triangle(i, j) < 0)
       make_cell(i, j);
     else if (p.y() == q.y())

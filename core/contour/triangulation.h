@@ -2,13 +2,14 @@
 //
 // Before it: lattice.h.  After it: refine.h decides what to bisect; trace.h walks through what is left.
 //
-// Each cell is two right isosceles triangles. A triangle is bisected from its apex to the middle of its longest
-// side, which gives two of the same shape; the neighbor across that side is bisected with it, and if that side is
-// not the neighbor's longest, the neighbor is bisected first. That recursion ends, because each step goes to a larger
-// triangle (Rivara 1984; Velho & Zorin 2001 call it the 4-8 mesh). So no vertex ever lies in the middle of a
-// neighbor's edge, and a curve cannot end where fine meets coarse.
+// Each cell is two right isosceles triangles. A triangle is bisected from its apex to the middle of its
+// longest side, which gives two of the same shape; the neighbor across that side is bisected with it, and if
+// that side is not the neighbor's longest, the neighbor is bisected first. That recursion ends, because each
+// step goes to a larger triangle (Rivara 1984; Velho & Zorin 2001 call it the 4-8 mesh). So no vertex ever
+// lies in the middle of a neighbor's edge, and a curve cannot end where fine meets coarse.
 //
-// Only cells that matter are made into triangles: those the curve passes, and what the recursion or a seed asks for.
+// Only cells that matter are made into triangles: those the curve passes, and what the recursion or a seed
+// asks for.
 #pragma once
 
 #include <array>
@@ -34,8 +35,8 @@ struct Triangle {
 
 class Triangulation {
  public:
-  /// Keeps a reference to `lattice`, whose values are known. Makes the triangles of all cells with corners of both
-  /// signs; each may be bisected `turns` times for the angle tolerance.
+  /// Keeps a reference to `lattice`, whose values are known. Makes the triangles of all cells with corners of
+  /// both signs; each may be bisected `turns` times for the angle tolerance.
   Triangulation(const Lattice& lattice, int turns);
 
   const Lattice& lattice() const { return lattice_; }
@@ -69,15 +70,15 @@ class Triangulation {
   Points<2> new_positions() const;
   void set_new_values(const Values& values);
 
-  /// Leaves that come within `reach` of `uv`, both in lattice units (a little generous at corners). Only triangles
-  /// that have been made are looked at; `make_around` makes those whose cells touch `uv`.
+  /// Leaves that come within `reach` of `uv`, both in lattice units (a little generous at corners). Only
+  /// triangles that have been made are looked at; `make_around` makes those whose cells touch `uv`.
   void leaves_near(const Point<2>& uv, double reach, std::vector<int>& leaves) const;
   void make_around(const Point<2>& uv, double reach);
 
   /// The index of the cell's first triangle, the second follows; -1 when they are not made.
   int first_triangle(int i, int j) const { return cells_[cell_index(i, j)]; }
-  /// visit(t, k) for every edge k of a leaf t that is part of one side of a made cell, in no particular order.
-  /// side: 0 bottom, 1 right, 2 top, 3 left. Edges run counter-clockwise around the cell.
+  /// visit(t, k) for every edge k of a leaf t that is part of one side of a made cell, in no particular
+  /// order. side: 0 bottom, 1 right, 2 top, 3 left. Edges run counter-clockwise around the cell.
   template <class Visit>
   void for_each_edge_on_side(int i, int j, int side, Visit&& visit) const {
     const auto [t, k] = root_with_side(i, j, side);

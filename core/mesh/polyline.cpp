@@ -12,8 +12,8 @@ namespace {
 
 double cross(const Point<2>& a, const Point<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// The exact sign of a sum of numbers, by the transformation of Rump, Ogita and Oishi in its plainest form: error-free
-// additions until the leading number outweighs all others together.
+// The exact sign of a sum of numbers, by the transformation of Rump, Ogita and Oishi in its plainest form:
+// error-free additions until the leading number outweighs all others together.
 int exact_sign_of_sum(std::array<double, 12> terms) {
   for (int pass = 0;; ++pass) {
     double rest = 0;
@@ -26,13 +26,14 @@ int exact_sign_of_sum(std::array<double, 12> terms) {
     }
     for (std::size_t i = 0; i + 1 < terms.size(); ++i) rest += std::abs(terms[i]);
     const double lead = terms.back();
-    // Two or three passes are usual; each makes the leading number at least weigh more, so the bound is never met.
+    // Two or three passes are usual; each makes the leading number at least weigh more, so the bound is never
+    // met.
     if (rest == 0 || std::abs(lead) > 2 * rest || pass == 100) return (lead > 0) - (lead < 0);
   }
 }
 
-// On which side of the directed line a -> b the point lies: 1 left, -1 right, 0 on it. Plain rounding decides unless
-// the result is within its error bound (Shewchuk 1997, section 4.3), then exact products do.
+// On which side of the directed line a -> b the point lies: 1 left, -1 right, 0 on it. Plain rounding decides
+// unless the result is within its error bound (Shewchuk 1997, section 4.3), then exact products do.
 int side_of(const Point<2>& a, const Point<2>& b, const Point<2>& p) {
   const double left = (a.x() - p.x()) * (b.y() - p.y());
   const double right = (a.y() - p.y()) * (b.x() - p.x());
@@ -65,7 +66,8 @@ double signed_area(const Polyline& polyline) {
   // From the first vertex, so that a small loop far from the origin keeps its digits.
   const Point<2> origin = polyline.vertices.col(0);
   double twice = 0;
-  for_each_segment(polyline, [&](const Point<2>& a, const Point<2>& b) { twice += cross(a - origin, b - origin); });
+  for_each_segment(polyline,
+                   [&](const Point<2>& a, const Point<2>& b) { twice += cross(a - origin, b - origin); });
   return 0.5 * twice;
 }
 
@@ -79,8 +81,8 @@ Box<2> bounding_box(const Polyline& polyline) { return bounding_box_of<2>(polyli
 
 int winding_number(const Polyline& polyline, const Point<2>& point) {
   if (!polyline.closed) return 0;
-  // Segments that cross the ray from the point toward +x, upward minus downward. Half open in y, so a vertex on the
-  // ray counts once.
+  // Segments that cross the ray from the point toward +x, upward minus downward. Half open in y, so a vertex
+  // on the ray counts once.
   int winding = 0;
   for_each_segment(polyline, [&](const Point<2>& a, const Point<2>& b) {
     const bool a_below = a.y() <= point.y(), b_below = b.y() <= point.y();
@@ -114,8 +116,9 @@ std::string to_csv(const std::vector<Polyline>& polylines) {
   std::string text = "polyline,closed,x,y\n";
   for (std::size_t k = 0; k < polylines.size(); ++k)
     for (Index i = 0; i < polylines[k].vertices.cols(); ++i)
-      text += std::to_string(k) + (polylines[k].closed ? ",1," : ",0,") + to_text(polylines[k].vertices(0, i), 17) + ',' +
-              to_text(polylines[k].vertices(1, i), 17) + '\n';
+      text += std::to_string(k) + (polylines[k].closed ? ",1," : ",0,") +
+              to_text(polylines[k].vertices(0, i), 17) + ',' + to_text(polylines[k].vertices(1, i), 17) +
+              '\n';
   return text;
 }
 

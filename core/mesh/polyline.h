@@ -3,9 +3,9 @@
 // Before it: core/contour, which turns f = 0 into polylines.
 // After it: pictures (core/image), files, and anybody who wants a length, an area or "is this point inside?".
 //
-// Direction carries meaning: inside lies on the *left*. So an outer boundary runs counter-clockwise and has positive
-// area, the rim of a hole runs clockwise and has negative area, and the areas of a shape's boundary curves add up to
-// the area of the shape.
+// Direction carries meaning: inside lies on the *left*. So an outer boundary runs counter-clockwise and has
+// positive area, the rim of a hole runs clockwise and has negative area, and the areas of a shape's boundary
+// curves add up to the area of the shape.
 #pragma once
 
 #include <algorithm>
@@ -46,8 +46,8 @@ int winding_number(const std::vector<Polyline>& polylines, const Point<2>& point
 /// The distance from `point` to the nearest segment (or lone vertex), in scene units; infinite for no vertex.
 double distance(const Polyline& polyline, const Point<2>& point);
 
-/// The polylines as CSV: the line "polyline,closed,x,y", then one line a vertex, polylines counted from 0, closed
-/// 0 or 1. Seventeen digits, so that reading gives back the same numbers.
+/// The polylines as CSV: the line "polyline,closed,x,y", then one line a vertex, polylines counted from 0,
+/// closed 0 or 1. Seventeen digits, so that reading gives back the same numbers.
 std::string to_csv(const std::vector<Polyline>& polylines);
 
 }  // namespace seesaw

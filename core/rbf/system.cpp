@@ -37,6 +37,28 @@ void refuse_unless_finite(const Rows<Dim>& rows) {
                         sorted(culprits));
 }
 
+// Weights are in units of length^-3; sizes whose cube is no double have none.
+template <int Dim>
+void refuse_unless_in_range(const Rows<Dim>& rows) {
+  constexpr double largest = 1e100, smallest = 1e-100;
+  std::set<Index> culprits;
+  for (Index i = 0; i < rows.values.size(); ++i)
+    if (rows.centers.col(i).cwiseAbs().maxCoeff() > largest)
+      culprits.insert(rows.origins[static_cast<std::size_t>(i)].constraint);
+  if (!culprits.empty())
+    throw ConstraintError(Reason::out_of_range,
+                          "constraint " + list_of(sorted(culprits)) +
+                              ": a coordinate is beyond 1e100; choose another unit of length",
+                          sorted(culprits));
+  const double extent = bounding_box_of<Dim>(rows.centers).sizes().maxCoeff();
+  if (extent > 0 && extent < smallest) {
+    for (const auto& origin : rows.origins) culprits.insert(origin.constraint);
+    throw ConstraintError(Reason::out_of_range,
+                          "all constraints lie within " + to_text(extent) + "; choose another unit of length",
+                          sorted(culprits));
+  }
+}
+
 [[noreturn]] void refuse_nothing() {
   throw ConstraintError(Reason::none_given, "there are no constraints: place at least one", {});
 }
@@ -102,6 +124,7 @@ Rows<Dim> rows_of(const Constraints<Dim>& constraints) {
                               ": its normal has length zero; give it a direction or none",
                           sorted(without_direction));
   refuse_unless_finite(rows);
+  refuse_unless_in_range(rows);
   return rows;
 }
 
@@ -112,6 +135,7 @@ Rows<Dim> rows_of(const PointsRef<Dim>& points, const Eigen::Ref<const Values>& 
   Rows<Dim> rows{points, values, {}, 0};
   for (Index i = 0; i < points.cols(); ++i) rows.origins.push_back({i, false});
   refuse_unless_finite(rows);
+  refuse_unless_in_range(rows);
   return rows;
 }
 

@@ -18,7 +18,7 @@ namespace seesaw {
 /// last good shape and marks the culprits.
 class ConstraintError : public Error {
  public:
-  enum class Reason { none_given, not_finite, no_direction, contradictory, too_close };
+  enum class Reason { none_given, not_finite, out_of_range, no_direction, contradictory, too_close };
 
   ConstraintError(Reason reason, const std::string& message, std::vector<Index> culprits)
       : Error(message), reason_(reason), culprits_(std::move(culprits)) {}
@@ -48,7 +48,8 @@ struct Rows {
 };
 
 /// The rows that `constraints` ask for, one or two each, in their order. Nothing is merged yet.
-/// Throws ConstraintError: none_given, not_finite, no_direction (a normal of length zero).
+/// Throws ConstraintError: none_given, not_finite, out_of_range (a coordinate beyond 1e100, or all of them within
+/// 1e-100 of one another but not the same), no_direction (a normal of length zero).
 template <int Dim>
 Rows<Dim> rows_of(const Constraints<Dim>& constraints);
 

@@ -138,6 +138,7 @@ class Contour(CliTest):
         self.refuses("--box", "0", "0", "1", "inf", says=["--box", '"inf"'])
         self.refuses("--box", "0", "0", "0", "1", says=["--box", "XMIN below XMAX"])
         self.refuses("--box", "0", "2", "1", "1", says=["--box", "YMIN below YMAX"])
+        self.refuses("--box", "-1e308", "0", "1e308", "1", says=["--box", "sides"])
         for size in ["9", "10001", "-5", "nan", "inf", "wide"]:
             self.refuses("--size", size, says="--size")
         for cells in ["0", "-1", "8193", "1.5", "many"]:

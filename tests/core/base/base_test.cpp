@@ -41,6 +41,8 @@ TEST(Text, OnlyWholeNumbersAreNumbers) {
   for (const char* text : {"", "+", "-", "1,5", "1.5 ", " 1", "1.5x", "0x10", "--1", "+-1", "one"})
     EXPECT_EQ(parse_number(text), std::nullopt) << text;
   EXPECT_TRUE(std::isnan(*parse_number("nan")));
+  EXPECT_EQ(parse_number("1e-400"), 0.0);
+  EXPECT_EQ(parse_number("-1e400"), -std::numeric_limits<double>::infinity());
 }
 
 class File : public testing::Test {

@@ -174,7 +174,7 @@ TEST(BadInput, FarFromTheOriginAndVerySmall) {
   };
   // Moved by 1e7 the coordinates keep 1e-9 of a unit, which the steep normals (slope 50 and more) magnify.
   for (const Case& c : {Case{1, {1e7, -1e7}, 1e-5}, Case{1, {4.5e6, 4.5e6}, 1e-5}, Case{1e-9, {0, 0}, 1e-9},
-                        Case{1e9, {0, 0}, 1e-9}, Case{1e-9, {1e-2, 0}, 1e-5}, Case{1e120, {0, 0}, 1e-9}}) {
+                        Case{1e9, {0, 0}, 1e-9}, Case{1e-9, {1e-2, 0}, 1e-5}, Case{1e90, {0, 0}, 1e-9}, Case{1e-90, {0, 0}, 1e-9}}) {
     auto moved = constraints;
     for (auto& constraint : moved) {
       constraint.at = c.scale * constraint.at + c.shift;
@@ -184,6 +184,19 @@ TEST(BadInput, FarFromTheOriginAndVerySmall) {
     EXPECT_LT(there.report.max_residual, 1e-10);
     const Values values = there.function.values((c.scale * x).colwise() + c.shift);
     EXPECT_LE((values - expected).cwiseAbs().maxCoeff(), c.tolerance * expected.cwiseAbs().maxCoeff()) << c.scale;
+  }
+}
+
+TEST(BadInput, SizesThatDoublesCannotCubeAreRefused) {
+  for (const double scale : {1e-300, 1e-120, 1e120, 8e307}) {
+    for (const double smoothing : {0.0, 0.1}) {
+      auto constraints = four_around_one();
+      for (auto& constraint : constraints) constraint.at *= scale;
+      const auto error = error_of([&] { fit(constraints, {.smoothing = smoothing}); });
+      EXPECT_EQ(error.reason(), Reason::out_of_range);
+      EXPECT_FALSE(error.culprits().empty());
+      EXPECT_THAT(error.what(), HasSubstr("unit of length"));
+    }
   }
 }
 
