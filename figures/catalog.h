@@ -1,4 +1,5 @@
-// The list of all figures. A new figure is one file, figures/<id>.cpp, and one line here and in CMakeLists.txt.
+// The list of all figures. A new figure is one file, figures/<id>.cpp, and one line here and in
+// CMakeLists.txt.
 #pragma once
 
 #include "figures/figure.h"

@@ -1,5 +1,5 @@
-// Eq. 3 of Turk & O'Brien 2002 two ways: from the weights, E = 8 pi w'h, and by quadrature of the Hessian over
-// growing domains. They meet.
+// Eq. 3 of Turk & O'Brien 2002 two ways: from the weights, E = 8 pi w'h, and by quadrature of the Hessian
+// over growing domains. They meet.
 #include <cmath>
 
 #include "core/image/chart.h"
@@ -9,8 +9,9 @@ namespace seesaw {
 
 namespace {
 
-// The integral of f_xx^2 + 2 f_xy^2 + f_yy^2 over the square of half side `reach` about `center`, by Gauss's rule of
-// 3 x 3 points on cells that halve toward the centers of the kernels: there the integrand has a peak of log^2 r.
+// The integral of f_xx^2 + 2 f_xy^2 + f_yy^2 over the square of half side `reach` about `center`, by Gauss's
+// rule of 3 x 3 points on cells that halve toward the centers of the kernels: there the integrand has a peak
+// of log^2 r.
 class Quadrature {
  public:
   explicit Quadrature(const Interpolant<2>& f) : f_(f) {}
@@ -61,12 +62,14 @@ class Quadrature {
 }  // namespace
 
 Figure energy_figure(const FigureContext& context) {
-  Figure figure{.id = "energy",
-                .paper = "Companion to Turk & O\u2019Brien 2002, equation 3",
-                .title = "Bending energy from the weights and by quadrature",
-                .shows = "The thin-plate solution satisfies all of the constraints and has the smallest possible value of "
-                         "E. The weights tell that value; integrating the squared second derivatives over larger and "
-                         "larger squares comes up to it."};
+  Figure figure{
+      .id = "energy",
+      .paper = "Companion to Turk & O\u2019Brien 2002, equation 3",
+      .title = "Bending energy from the weights and by quadrature",
+      .shows =
+          "The thin-plate solution satisfies all of the constraints and has the smallest possible value of "
+          "E. The weights tell that value; integrating the squared second derivatives over larger and "
+          "larger squares comes up to it."};
   const ScenePointer scene = fit_scene_file(context, "turk2002-fig01-left");
   const auto& f = scene->function();
   const double exact = scene->fitted.report.energy;
@@ -82,12 +85,15 @@ Figure energy_figure(const FigureContext& context) {
 
   Panel growth{.name = "growth", .title = "the integral over a square of growing side"};
   growth.width = growth.height = 330;
-  const Chart chart{
-      .x = {.label = "side of the square / size of the shape", .logarithmic = true},
-      .y = {.label = "bending energy", .low = 0.0},
-      .series = {{.name = "quadrature of equation 3", .x = sides, .y = integrals, .marker = Marker::circle, .marker_size = 5}},
-      .horizontal = {{.value = exact, .label = "8\u03c0 w\u00b7h = " + in_words(exact, 5)}},
-      .legend = Legend::none};
+  const Chart chart{.x = {.label = "side of the square / size of the shape", .logarithmic = true},
+                    .y = {.label = "bending energy", .low = 0.0},
+                    .series = {{.name = "quadrature of equation 3",
+                                .x = sides,
+                                .y = integrals,
+                                .marker = Marker::circle,
+                                .marker_size = 5}},
+                    .horizontal = {{.value = exact, .label = "8\u03c0 w\u00b7h = " + in_words(exact, 5)}},
+                    .legend = Legend::none};
   growth.draw = [chart](Canvas& canvas, const Rect& region) { draw_chart(canvas, region, chart); };
   growth.facts = fit_facts(scene->fitted.report);
   growth.facts["side_over_size"] = sides;
@@ -101,8 +107,17 @@ Figure energy_figure(const FigureContext& context) {
   const Chart log_chart{
       .x = {.label = "side of the square / size of the shape", .logarithmic = true},
       .y = {.label = "missing part of the energy", .logarithmic = true, .low = 1e-6, .high = 1.0},
-      .series = {{.name = "1 \u2212 quadrature / 8\u03c0 w\u00b7h", .x = sides, .y = shortfalls, .marker = Marker::circle, .marker_size = 5},
-                 {.name = "side\u207b\u00b2", .x = sides, .y = law, .color = theme::soft_ink, .line_width = 1, .dash = {4, 3}}},
+      .series = {{.name = "1 \u2212 quadrature / 8\u03c0 w\u00b7h",
+                  .x = sides,
+                  .y = shortfalls,
+                  .marker = Marker::circle,
+                  .marker_size = 5},
+                 {.name = "side\u207b\u00b2",
+                  .x = sides,
+                  .y = law,
+                  .color = theme::soft_ink,
+                  .line_width = 1,
+                  .dash = {4, 3}}},
       .legend = Legend::top_right};
   missing.draw = [log_chart](Canvas& canvas, const Rect& region) { draw_chart(canvas, region, log_chart); };
   missing.facts["shortfall"] = shortfalls;
@@ -118,9 +133,11 @@ Figure energy_figure(const FigureContext& context) {
   figure.checks.push_back(at_most("slope of the missing part, from \u22122", std::abs(slope + 2), 0.1));
   figure.panels = {std::move(growth), std::move(missing)};
   figure.caption =
-      "The function of Figure 1, left. Dots: equation 3, f_xx\u00b2 + 2 f_xy\u00b2 + f_yy\u00b2 integrated over a square about the "
+      "The function of Figure 1, left. Dots: equation 3, f_xx\u00b2 + 2 f_xy\u00b2 + f_yy\u00b2 integrated "
+      "over a square about the "
       "shape. Line: the same energy from the weights, 8\u03c0 w\u00b7h, over the whole plane. Over " +
-      in_words(sides.back(), 3) + " times the size of the shape they differ by " + in_words(remaining, 1) + " of the whole.";
+      in_words(sides.back(), 3) + " times the size of the shape they differ by " + in_words(remaining, 1) +
+      " of the whole.";
   return figure;
 }
 

@@ -6,9 +6,12 @@ namespace seesaw {
 
 bool Check::holds() const {
   switch (relation) {
-    case Relation::at_most: return value <= bound;
-    case Relation::at_least: return value >= bound;
-    case Relation::equal: return value == bound;
+    case Relation::at_most:
+      return value <= bound;
+    case Relation::at_least:
+      return value >= bound;
+    case Relation::equal:
+      return value == bound;
   }
   return false;
 }

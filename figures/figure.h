@@ -1,7 +1,8 @@
 // What a figure is: panels that draw themselves, facts that were measured, checks that must hold.
 //
 // Before it: one file a figure, figures/<id>.cpp, which fits scenes and measures them.
-// After it: figures/compose.h lays the panels out, figures/output.h writes PNG and JSON, figures/gallery.h the page.
+// After it: figures/compose.h lays the panels out, figures/output.h writes PNG and JSON, figures/gallery.h
+// the page.
 #pragma once
 
 #include <filesystem>
@@ -36,8 +37,8 @@ Check equal(std::string name, double value, double wanted);
 
 /// One picture of a figure; also a PNG of its own.
 struct Panel {
-  std::string name = {};   ///< "left"; part of the file's name
-  std::string title = {};  ///< set above the picture
+  std::string name = {};             ///< "left"; part of the file's name
+  std::string title = {};            ///< set above the picture
   double width = 380, height = 380;  ///< of the picture, points
   std::function<void(Canvas&, const Rect&)> draw = {};
   Facts facts = Facts::object();

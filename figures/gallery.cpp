@@ -10,11 +10,20 @@ namespace {
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
     }
   return result;
 }
@@ -24,7 +33,8 @@ std::string shown(const Facts& value) {
   if (value.is_string()) return escaped(value.get<std::string>());
   if (value.is_object()) {
     std::string text;
-    for (const auto& [key, inner] : value.items()) text += (text.empty() ? "" : ", ") + escaped(key) + " " + shown(inner);
+    for (const auto& [key, inner] : value.items())
+      text += (text.empty() ? "" : ", ") + escaped(key) + " " + shown(inner);
     return text;
   }
   if (value.is_array()) {
@@ -65,15 +75,16 @@ std::string table_of_checks(const Facts& figure) {
   std::string html = "<table><tr><th>check</th><th>measured</th><th></th><th>bound</th><th></th></tr>\n";
   for (const auto& check : figure["checks"]) {
     const bool holds = check["holds"].get<bool>();
-    html += "<tr><td>" + shown(check["name"]) + "</td><td class=number>" + shown(check["value"]) + "</td><td>" +
-            shown(check["relation"]) + "</td><td class=number>" + shown(check["bound"]) + "</td><td class=" +
-            (holds ? "holds>holds" : "fails>FAILS") + "</td></tr>\n";
+    html += "<tr><td>" + shown(check["name"]) + "</td><td class=number>" + shown(check["value"]) +
+            "</td><td>" + shown(check["relation"]) + "</td><td class=number>" + shown(check["bound"]) +
+            "</td><td class=" + (holds ? "holds>holds" : "fails>FAILS") + "</td></tr>\n";
   }
   return html + "</table>\n";
 }
 
 std::string table_of_facts(const Facts& panel) {
-  std::string html = "<table><tr><th colspan=2>" + shown(panel["name"]) + ": " + shown(panel["title"]) + "</th></tr>\n";
+  std::string html =
+      "<table><tr><th colspan=2>" + shown(panel["name"]) + ": " + shown(panel["title"]) + "</th></tr>\n";
   for (const auto& [key, value] : panel["facts"].items())
     html += "<tr><td>" + escaped(key) + "</td><td class=number>" + shown(value) + "</td></tr>\n";
   return html + "</table>\n";
@@ -89,10 +100,12 @@ std::string gallery_page(const std::vector<Facts>& descriptions) {
       held += check["holds"].get<bool>();
     }
   std::string html = head;
-  html += "<h1>Seesaw: the figures</h1>\n<p class=lead>Interpolating implicit curves and surfaces, after Turk &amp; "
-          "O\u2019Brien (2002) and Witkin &amp; Heckbert (1994). " +
-          std::to_string(descriptions.size()) + " figures, " + std::to_string(held) + " of " +
-          std::to_string(checks) + " checks hold.</p>\n<nav>\n";
+  html +=
+      "<h1>Seesaw: the figures</h1>\n<p class=lead>Interpolating implicit curves and surfaces, after Turk "
+      "&amp; "
+      "O\u2019Brien (2002) and Witkin &amp; Heckbert (1994). " +
+      std::to_string(descriptions.size()) + " figures, " + std::to_string(held) + " of " +
+      std::to_string(checks) + " checks hold.</p>\n<nav>\n";
   for (const Facts& figure : descriptions)
     html += "<a href=\"#" + shown(figure["figure"]) + "\">" + shown(figure["title"]) + "</a>\n";
   html += "</nav>\n";

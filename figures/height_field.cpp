@@ -58,7 +58,8 @@ Panel plate_panel(Figure& figure) {
   return panel;
 }
 
-// A height field over a line: r^3 with centers on a line is the natural cubic spline, the thin plate of one dimension.
+// A height field over a line: r^3 with centers on a line is the natural cubic spline, the thin plate of one
+// dimension.
 Fit<2> spline_through(const Points<2>& points) {
   Points<2> feet = points;
   feet.row(1).setZero();
@@ -85,7 +86,8 @@ Panel spline_panel(Figure& figure, const FittedScene& scene) {
       draw_symbol(canvas, Symbol::circle, frame.pixel_from_data(points.col(i)), 9);
   };
   panel.facts = fit_facts(spline.report);
-  const double swing = *std::max_element(curve.y.begin(), curve.y.end()) - *std::min_element(curve.y.begin(), curve.y.end());
+  const double swing =
+      *std::max_element(curve.y.begin(), curve.y.end()) - *std::min_element(curve.y.begin(), curve.y.end());
   panel.facts["swing"] = swing;
 
   // A ninth point of the circle straight below the first: two heights at one place.
@@ -108,12 +110,14 @@ Panel spline_panel(Figure& figure, const FittedScene& scene) {
 }  // namespace
 
 Figure height_field(const FigureContext& context) {
-  Figure figure{.id = "height-field",
-                .paper = "Companion to Turk & O\u2019Brien 2002, section 8.1",
-                .title = "A thin-plate height field, and why it cannot close",
-                .shows = "The use of a height field is a barrier towards creating closed surfaces and surfaces of "
-                         "arbitrary topology. Both methods create a function based on variational methods, but they "
-                         "differ in the dimension of the scalar function that they create."};
+  Figure figure{
+      .id = "height-field",
+      .paper = "Companion to Turk & O\u2019Brien 2002, section 8.1",
+      .title = "A thin-plate height field, and why it cannot close",
+      .shows =
+          "The use of a height field is a barrier towards creating closed surfaces and surfaces of "
+          "arbitrary topology. Both methods create a function based on variational methods, but they "
+          "differ in the dimension of the scalar function that they create."};
   const ScenePointer scene = fit_scene_file(context, "height-field");
   figure.panels.push_back(plate_panel(figure));
   figure.panels.push_back(spline_panel(figure, *scene));
@@ -122,12 +126,16 @@ Figure height_field(const FigureContext& context) {
   figure.checks.push_back(residual_check("implicit", scene->fitted.report));
   figure.checks.push_back(equal("implicit: curves", static_cast<double>(scene->curve.components), 1));
   figure.checks.push_back(equal("implicit: closed curves", static_cast<double>(scene->curve.closed), 1));
-  figure.checks.push_back(equal("implicit: points on the curve", static_cast<double>(scene->curve.seeds_on_curve), 8));
+  figure.checks.push_back(
+      equal("implicit: points on the curve", static_cast<double>(scene->curve.seeds_on_curve), 8));
   figure.panels.push_back(std::move(closed));
   figure.caption =
-      "Left: the classic use of the thin plate, one height over each point of the plane. Middle: eight points of a circle as "
-      "heights over a line; the smoothest height field through them zigzags, and it cannot pass two points at one x at all. "
-      "Right: the same points as zeros of a function of one dimension more, with one interior constraint: the curve closes.";
+      "Left: the classic use of the thin plate, one height over each point of the plane. Middle: eight "
+      "points of a circle as "
+      "heights over a line; the smoothest height field through them zigzags, and it cannot pass two points "
+      "at one x at all. "
+      "Right: the same points as zeros of a function of one dimension more, with one interior constraint: "
+      "the curve closes.";
   return figure;
 }
 

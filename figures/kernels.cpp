@@ -1,4 +1,5 @@
-// The same constraints under each kernel (T&O 2002, section 3): three functions, three curves, three energies.
+// The same constraints under each kernel (T&O 2002, section 3): three functions, three curves, three
+// energies.
 #include "figures/scene_panel.h"
 
 namespace seesaw {
@@ -7,9 +8,12 @@ namespace {
 
 const char* formula_of(Kernel kernel) {
   switch (kernel) {
-    case Kernel::thin_plate_spline: return "r\u00b2 log r, the thin plate";
-    case Kernel::cubic: return "r\u00b3";
-    case Kernel::linear: return "r";
+    case Kernel::thin_plate_spline:
+      return "r\u00b2 log r, the thin plate";
+    case Kernel::cubic:
+      return "r\u00b3";
+    case Kernel::linear:
+      return "r";
   }
   return "";
 }
@@ -17,12 +21,14 @@ const char* formula_of(Kernel kernel) {
 }  // namespace
 
 Figure kernels_figure(const FigureContext& context) {
-  Figure figure{.id = "kernels",
-                .paper = "Companion to Turk & O\u2019Brien 2002, section 3",
-                .title = "The same constraints under three kernels",
-                .shows = "The radial basis function decides what \u201csmooth\u201d means: r\u00b2 log r minimizes the "
-                         "bending energy of equation 3 in the plane; r\u00b3 is what the paper uses in space; Carr et al. "
-                         "use r."};
+  Figure figure{
+      .id = "kernels",
+      .paper = "Companion to Turk & O\u2019Brien 2002, section 3",
+      .title = "The same constraints under three kernels",
+      .shows =
+          "The radial basis function decides what \u201csmooth\u201d means: r\u00b2 log r minimizes the "
+          "bending energy of equation 3 in the plane; r\u00b3 is what the paper uses in space; Carr et al. "
+          "use r."};
   const ScenePointer model = fit_scene_file(context, "kernels-2d");
   std::vector<ScenePointer> scenes;
   for (const Kernel kernel : all_kernels) {
@@ -35,9 +41,11 @@ Figure kernels_figure(const FigureContext& context) {
     PictureOptions options;
     options.color_range = 1.5;
     Panel panel = scene_panel(scene, name, formula_of(scene->document.kernel), options);
-    // What each function costs by the others' measure is not comparable; by its own, no other function is cheaper.
+    // What each function costs by the others' measure is not comparable; by its own, no other function is
+    // cheaper.
     const auto& f = scene->function();
-    double sharpest = 0;  // |Hessian| a thousandth from the first boundary constraint: a cone's grows without bound
+    double sharpest =
+        0;  // |Hessian| a thousandth from the first boundary constraint: a cone's grows without bound
     const Point<2> beside = f.centers().col(0) + Point<2>(1e-3, 0);
     sharpest = f.hessian(beside).norm();
     panel.facts["hessian_beside_a_center"] = sharpest;
@@ -46,16 +54,23 @@ Figure kernels_figure(const FigureContext& context) {
     figure.checks.push_back(equal(name + ": closed curves", static_cast<double>(scene->curve.closed), 1));
     double farthest = 0;  // of a boundary constraint from the curve
     for (Index i = 0; i < 7; ++i)
-      farthest = std::max(farthest, distance(scene->curve.polylines[0], boundary_points(scene->document).col(i)));
+      farthest =
+          std::max(farthest, distance(scene->curve.polylines[0], boundary_points(scene->document).col(i)));
     figure.checks.push_back(at_most(name + ": boundary constraints off the curve, at most", farthest, 1e-12));
     figure.panels.push_back(std::move(panel));
   }
-  const auto bend = [&](std::size_t i) { return figure.panels[i].facts["hessian_beside_a_center"].get<double>(); };
-  figure.checks.push_back(at_least("the cone of r is sharper than the plate, beside a center", bend(2) / bend(0), 5));
-  figure.checks.push_back(at_most("r\u00b3 is flatter than the plate, beside a center", bend(1) / bend(0), 1));
+  const auto bend = [&](std::size_t i) {
+    return figure.panels[i].facts["hessian_beside_a_center"].get<double>();
+  };
+  figure.checks.push_back(
+      at_least("the cone of r is sharper than the plate, beside a center", bend(2) / bend(0), 5));
+  figure.checks.push_back(
+      at_most("r\u00b3 is flatter than the plate, beside a center", bend(1) / bend(0), 1));
   figure.caption =
-      "Left, the thin plate: everywhere smooth, its curvature peaking mildly at the constraints. Middle, r\u00b3: smoother "
-      "still, and it swings wider. Right, r: least swing, but a cone stands at every constraint and the curve has a corner "
+      "Left, the thin plate: everywhere smooth, its curvature peaking mildly at the constraints. Middle, "
+      "r\u00b3: smoother "
+      "still, and it swings wider. Right, r: least swing, but a cone stands at every constraint and the "
+      "curve has a corner "
       "in each. Second derivatives at 0.001 from a boundary constraint: " +
       in_words(bend(0), 2) + ", " + in_words(bend(1), 2) + " and " + in_words(bend(2), 2) + ".";
   return figure;

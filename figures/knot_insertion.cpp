@@ -1,4 +1,5 @@
-// T&O 2002, section 5: a new boundary constraint on the curve changes the function nowhere; moving it then does.
+// T&O 2002, section 5: a new boundary constraint on the curve changes the function nowhere; moving it then
+// does.
 #include "figures/scene_panel.h"
 
 namespace seesaw {
@@ -34,11 +35,13 @@ double greatest_change(const Field<2>& f, const Field<2>& g, const Box<2>& box) 
 }  // namespace
 
 Figure knot_insertion(const FigureContext& context) {
-  Figure figure{.id = "knot-insertion",
-                .paper = "Companion to Turk & O\u2019Brien 2002, section 5",
-                .title = "New boundary constraints leave the curve unchanged",
-                .shows = "Adding a new boundary constraint on the existing surface does not affect the surface shape at "
-                         "all. Only when such a new boundary constraint is moved, does it begin to affect the shape."};
+  Figure figure{
+      .id = "knot-insertion",
+      .paper = "Companion to Turk & O\u2019Brien 2002, section 5",
+      .title = "New boundary constraints leave the curve unchanged",
+      .shows =
+          "Adding a new boundary constraint on the existing surface does not affect the surface shape at "
+          "all. Only when such a new boundary constraint is moved, does it begin to affect the shape."};
   const ScenePointer before = fit_scene_file(context, "knot-insertion");
   const ScenePointer knots = fit_scene(with_knots(*before));
   Document<2> pulled = knots->document;
@@ -63,16 +66,21 @@ Figure knot_insertion(const FigureContext& context) {
   figure.panels[2].facts["greatest_change"] = changed;
   for (const auto& [name, scene] : {std::pair{"before", before}, {"added", knots}, {"moved", moved}}) {
     figure.checks.push_back(residual_check(name, scene->fitted.report));
-    figure.checks.push_back(equal(std::string(name) + ": curves", static_cast<double>(scene->curve.components), 1));
-    figure.checks.push_back(equal(std::string(name) + ": closed curves", static_cast<double>(scene->curve.closed), 1));
+    figure.checks.push_back(
+        equal(std::string(name) + ": curves", static_cast<double>(scene->curve.components), 1));
+    figure.checks.push_back(
+        equal(std::string(name) + ": closed curves", static_cast<double>(scene->curve.closed), 1));
   }
-  figure.checks.push_back(equal("added: new constraints",
-                                static_cast<double>(knots->document.constraints.size() - before->document.constraints.size()), added));
+  figure.checks.push_back(equal(
+      "added: new constraints",
+      static_cast<double>(knots->document.constraints.size() - before->document.constraints.size()), added));
   figure.checks.push_back(at_most("added: greatest change of f over the view", unchanged, 1e-9));
   figure.checks.push_back(at_least("moved: greatest change of f over the view", changed, 0.01));
-  figure.caption = "Six constraints placed on the curve ask for f = 0 where f is zero already: f changes by less than 10\u207b\u2079 "
-                   "anywhere in the picture. Moving one changes it by up to " + in_words(changed, 2) +
-                   ", and the others hold the curve (the old one is dashed).";
+  figure.caption =
+      "Six constraints placed on the curve ask for f = 0 where f is zero already: f changes by less than "
+      "10\u207b\u2079 "
+      "anywhere in the picture. Moving one changes it by up to " +
+      in_words(changed, 2) + ", and the others hold the curve (the old one is dashed).";
   return figure;
 }
 

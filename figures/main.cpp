@@ -60,7 +60,8 @@ int make_figures(const std::vector<std::string>& ids, const std::filesystem::pat
     std::cout << "  " << to_text(seconds, 2) << " s";
     for (const Check& check : figure.checks)
       if (!check.holds())
-        std::cout << "\n    FAILS: " << check.name << ": " << to_text(check.value) << ", bound " << to_text(check.bound);
+        std::cout << "\n    FAILS: " << check.name << ": " << to_text(check.value) << ", bound "
+                  << to_text(check.bound);
     std::cout << '\n';
     holds = holds && figure.holds();
   }
@@ -88,7 +89,8 @@ int run(int argc, char** argv) {
 
   auto* list = app.add_subcommand("list", "name all figures");
 
-  auto* make = app.add_subcommand("make", "make figures: pictures, facts and checks; exit status 1 if a check fails");
+  auto* make =
+      app.add_subcommand("make", "make figures: pictures, facts and checks; exit status 1 if a check fails");
   std::vector<std::string> ids = {"all"};
   std::string folder = "out/figures";
   double scale = 2;
@@ -96,15 +98,18 @@ int run(int argc, char** argv) {
   make->add_option("--out", folder, "the folder for the files")->capture_default_str();
   make->add_option("--scale", scale, "pixels a point")->check(CLI::Range(0.1, 16.0))->capture_default_str();
   bool update_references = false;
-  make->add_flag("--update-references", update_references,
-                 "also replace the pictures in figures/reference that tests compare with; look at them first");
+  make->add_flag(
+      "--update-references", update_references,
+      "also replace the pictures in figures/reference that tests compare with; look at them first");
 
   auto* rendering = app.add_subcommand("render", "draw a 2D scene");
   std::string scene, output;
   double size = 480;
   rendering->add_option("SCENE", scene, "a scene file (JSON)")->required();
   rendering->add_option("-o,--output", output, "a .png, .svg or .pdf file")->required();
-  rendering->add_option("--size", size, "the longer side, points")->check(CLI::Range(16.0, 8192.0))->capture_default_str();
+  rendering->add_option("--size", size, "the longer side, points")
+      ->check(CLI::Range(16.0, 8192.0))
+      ->capture_default_str();
 
   if (argc == 1) {
     std::cout << app.help();

@@ -8,13 +8,18 @@ namespace seesaw {
 
 namespace {
 
-std::string panel_file(const Figure& figure, const Panel& panel) { return figure.id + "-" + panel.name + ".png"; }
+std::string panel_file(const Figure& figure, const Panel& panel) {
+  return figure.id + "-" + panel.name + ".png";
+}
 
 const char* sign_of(Check::Relation relation) {
   switch (relation) {
-    case Check::Relation::at_most: return "<=";
-    case Check::Relation::at_least: return ">=";
-    case Check::Relation::equal: return "==";
+    case Check::Relation::at_most:
+      return "<=";
+    case Check::Relation::at_least:
+      return ">=";
+    case Check::Relation::equal:
+      return "==";
   }
   return "?";
 }
@@ -30,8 +35,10 @@ Facts description_of(const Figure& figure) {
   result["caption"] = figure.caption;
   result["panels"] = Facts::array();
   for (const Panel& panel : figure.panels)
-    result["panels"].push_back(
-        {{"name", panel.name}, {"title", panel.title}, {"png", panel_file(figure, panel)}, {"facts", panel.facts}});
+    result["panels"].push_back({{"name", panel.name},
+                                {"title", panel.title},
+                                {"png", panel_file(figure, panel)},
+                                {"facts", panel.facts}});
   result["checks"] = Facts::array();
   for (const Check& check : figure.checks)
     result["checks"].push_back({{"name", check.name},
@@ -48,7 +55,8 @@ void write_figure(const Figure& figure, const std::filesystem::path& folder, dou
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(folder.string(), "cannot make this folder: " + error.message());
   compose(figure).save(folder / (figure.id + ".png"), scale);
-  for (const Panel& panel : figure.panels) compose_panel(panel).save(folder / panel_file(figure, panel), scale);
+  for (const Panel& panel : figure.panels)
+    compose_panel(panel).save(folder / panel_file(figure, panel), scale);
   write_file(folder / (figure.id + ".json"), description_of(figure).dump(2) + "\n");
 }
 

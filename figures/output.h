@@ -8,11 +8,12 @@ namespace seesaw {
 /// The content of ID.json: figure, paper, title, shows, caption, panels (name, png, facts), checks, holds.
 Facts description_of(const Figure& figure);
 
-/// Writes ID.png, ID-<panel>.png and ID.json into `folder`, which is made if it is missing; `scale` pixels a point.
-/// Throws FileError.
+/// Writes ID.png, ID-<panel>.png and ID.json into `folder`, which is made if it is missing; `scale` pixels a
+/// point. Throws FileError.
 void write_figure(const Figure& figure, const std::filesystem::path& folder, double scale = 2);
 
-/// Writes ID.png alone, one pixel a point, into `folder`: the reference that later pictures are compared with.
+/// Writes ID.png alone, one pixel a point, into `folder`: the reference that later pictures are compared
+/// with.
 void write_reference(const Figure& figure, const std::filesystem::path& folder);
 
 }  // namespace seesaw

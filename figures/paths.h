@@ -5,7 +5,8 @@
 
 namespace seesaw {
 
-/// PREFIX/share/seesaw/scenes if the running program is PREFIX/bin/figures, else figures/scenes of the source tree.
+/// PREFIX/share/seesaw/scenes if the running program is PREFIX/bin/figures, else figures/scenes of the source
+/// tree.
 std::filesystem::path scenes_folder();
 
 /// figures/reference of the source tree: pictures that tests compare with.

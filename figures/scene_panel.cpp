@@ -9,7 +9,8 @@ ScenePointer fit_scene(Document<2> document) {
   const Box<2> view = view_box(document, fitted.function);
   // The facts are measured on a finer curve than a picture needs.
   Contour curve = contour(document, fitted.function, view, {.cells = 256, .angle_tolerance = 0.03});
-  return std::make_shared<FittedScene>(FittedScene{std::move(document), std::move(fitted), view, std::move(curve)});
+  return std::make_shared<FittedScene>(
+      FittedScene{std::move(document), std::move(fitted), view, std::move(curve)});
 }
 
 ScenePointer fit_scene_file(const FigureContext& context, const std::string& name) {

@@ -1,5 +1,5 @@
-// T&O 2002, section 4.1: "Each boundary constraint acts much like a see-saw. If we pull the surface up on one side of a
-// boundary constraint (using an interior constraint), then the other side tends to move down."
+// T&O 2002, section 4.1: "Each boundary constraint acts much like a see-saw. If we pull the surface up on one
+// side of a boundary constraint (using an interior constraint), then the other side tends to move down."
 #include <cmath>
 
 #include "core/image/chart.h"
@@ -27,7 +27,8 @@ HeightPlot plate_of(const FittedScene& scene) {
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i)
       points.col(j * n + i) =
-          ground.min() + ground.sizes().cwiseProduct(Point<2>(static_cast<double>(i), static_cast<double>(j)) / (n - 1.0));
+          ground.min() +
+          ground.sizes().cwiseProduct(Point<2>(static_cast<double>(i), static_cast<double>(j)) / (n - 1.0));
   const Values values = scene.function().values(points);
   plot.field.heights = Eigen::Map<const Eigen::MatrixXd>(values.data(), n, n);
   plot.field.ground = ground;
@@ -52,11 +53,13 @@ HeightPlot plate_of(const FittedScene& scene) {
 }  // namespace
 
 Figure seesaw_figure(const FigureContext& context) {
-  Figure figure{.id = "seesaw",
-                .paper = "Companion to Turk & O\u2019Brien 2002, section 4.1",
-                .title = "Each boundary constraint acts much like a see-saw",
-                .shows = "If we pull the surface up on one side of a boundary constraint (using an interior constraint), "
-                         "then the other side tends to move down."};
+  Figure figure{
+      .id = "seesaw",
+      .paper = "Companion to Turk & O\u2019Brien 2002, section 4.1",
+      .title = "Each boundary constraint acts much like a see-saw",
+      .shows =
+          "If we pull the surface up on one side of a boundary constraint (using an interior constraint), "
+          "then the other side tends to move down."};
   const Document<2> document = read_document<2>(context.scenes / "seesaw.json");
   const std::vector<double> pulls = {0.5, 1, 1.5, 2};
   std::vector<ScenePointer> scenes;
@@ -90,7 +93,8 @@ Figure seesaw_figure(const FigureContext& context) {
   plate.facts = fit_facts(shown.fitted.report);
   add_curve_facts(plate.facts, shown.curve);
 
-  Panel profiles{.name = "profiles", .title = "profiles along the red line as the interior value is pulled up"};
+  Panel profiles{.name = "profiles",
+                 .title = "profiles along the red line as the interior value is pulled up"};
   profiles.width = 430;
   profiles.height = 360;
   Chart chart{.x = {.label = "distance from the boundary constraint, outward"}, .y = {.label = "f"}};
@@ -108,7 +112,8 @@ Figure seesaw_figure(const FigureContext& context) {
     highest_pivot = std::max(highest_pivot, std::abs(f.value(pivot)));
     inner.push_back(f.value(pivot - 0.5 * arm * outward));
     outer.push_back(f.value(pivot + 0.5 * arm * outward));
-    figure.checks.push_back(residual_check("interior value " + in_words(pulls[k], 2), scenes[k]->fitted.report));
+    figure.checks.push_back(
+        residual_check("interior value " + in_words(pulls[k], 2), scenes[k]->fitted.report));
   }
   chart.horizontal.push_back({.value = 0});
   chart.legend = Legend::top_right;
@@ -135,9 +140,12 @@ Figure seesaw_figure(const FigureContext& context) {
   figure.checks.push_back(at_most("the zero set stays: |f| of the steepest plate on it", moved, 1e-12));
   figure.panels = {std::move(plate), std::move(profiles)};
   figure.caption =
-      "Left: the plate of Figure 1 bends through all poles; where it cuts the zero plane is the curve. Right: cut through "
-      "one boundary constraint (red). Pulling the pole inside up lifts the plate on one side of the constraint and presses it "
-      "down on the other, like a see-saw. All other values being zero, the plate only grows steeper and the curve stays.";
+      "Left: the plate of Figure 1 bends through all poles; where it cuts the zero plane is the curve. "
+      "Right: cut through "
+      "one boundary constraint (red). Pulling the pole inside up lifts the plate on one side of the "
+      "constraint and presses it "
+      "down on the other, like a see-saw. All other values being zero, the plate only grows steeper and the "
+      "curve stays.";
   return figure;
 }
 

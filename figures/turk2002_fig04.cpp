@@ -1,5 +1,5 @@
-// Turk & O'Brien 2002, Figure 4: a cage of exterior constraints closes whatever curve passes through the boundary
-// constraints within.
+// Turk & O'Brien 2002, Figure 4: a cage of exterior constraints closes whatever curve passes through the
+// boundary constraints within.
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
@@ -22,8 +22,8 @@ double axis_ratio(const Polyline& curve) {
   return longest / shortest;
 }
 
-// How far the curve strays from the ellipse with its own center and second moments, as a fraction of its radius:
-// in coordinates in which that ellipse is the unit circle, the largest | |x| - 1 |.
+// How far the curve strays from the ellipse with its own center and second moments, as a fraction of its
+// radius: in coordinates in which that ellipse is the unit circle, the largest | |x| - 1 |.
 double stray_from_ellipse(const Polyline& curve) {
   // Moments of the region by triangles fanned from the first vertex.
   const Index n = curve.vertices.cols();
@@ -40,7 +40,8 @@ double stray_from_ellipse(const Polyline& curve) {
   }
   const Point<2> center = first / area;
   const Eigen::Matrix2d spread = second / area - center * center.transpose();  // r^2 / 4 for an ellipse
-  const Eigen::Matrix2d to_circle = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(4 * spread).operatorInverseSqrt();
+  const Eigen::Matrix2d to_circle =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(4 * spread).operatorInverseSqrt();
   const Points<2> unit = to_circle * (curve.vertices.colwise() - (origin + center));
   return (unit.colwise().norm().array() - 1).abs().maxCoeff();
 }
@@ -51,7 +52,8 @@ int inflections(const Polyline& curve) {
   int changes = 0;
   double last = 0;
   for (Index i = 0; i <= n; ++i) {
-    const Point<2> a = curve.vertices.col(i % n), b = curve.vertices.col((i + 1) % n), c = curve.vertices.col((i + 2) % n);
+    const Point<2> a = curve.vertices.col(i % n), b = curve.vertices.col((i + 1) % n),
+                   c = curve.vertices.col((i + 2) % n);
     const Point<2> u = b - a, v = c - b;
     const double turn = std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
     if (std::abs(turn) < 1e-5) continue;
@@ -64,13 +66,16 @@ int inflections(const Polyline& curve) {
 }  // namespace
 
 Figure turk2002_fig04(const FigureContext& context) {
-  Figure figure{.id = "turk2002-fig04",
-                .paper = "Turk & O\u2019Brien 2002, Figure 4",
-                .title = "Curves inside a cage of exterior constraints",
-                .shows = "Curves defined using surrounding exterior constraints. Just two zero-valued constraints yield "
-                         "an ellipse-like curve (on the left). More constraints create a more complex curve (at right)."};
+  Figure figure{
+      .id = "turk2002-fig04",
+      .paper = "Turk & O\u2019Brien 2002, Figure 4",
+      .title = "Curves inside a cage of exterior constraints",
+      .shows =
+          "Curves defined using surrounding exterior constraints. Just two zero-valued constraints yield "
+          "an ellipse-like curve (on the left). More constraints create a more complex curve (at right)."};
   const char* const names[] = {"left", "right"};
-  const char* const titles[] = {"two boundary constraints in a cage of eight", "eight boundary constraints in the same cage"};
+  const char* const titles[] = {"two boundary constraints in a cage of eight",
+                                "eight boundary constraints in the same cage"};
   double ratio = 0;
   for (int side = 0; side < 2; ++side) {
     const std::string name = names[side];
@@ -82,7 +87,8 @@ Figure turk2002_fig04(const FigureContext& context) {
     figure.checks.push_back(equal(name + ": curves", static_cast<double>(scene->curve.components), 1));
     figure.checks.push_back(equal(name + ": closed curves", static_cast<double>(scene->curve.closed), 1));
     figure.checks.push_back(equal(name + ": boundary constraints on the curve",
-                                  static_cast<double>(scene->curve.seeds_on_curve), static_cast<double>(report.boundary)));
+                                  static_cast<double>(scene->curve.seeds_on_curve),
+                                  static_cast<double>(report.boundary)));
     const Polyline& curve = scene->curve.polylines.front();
     panel.facts["inflections"] = inflections(curve);
     if (side == 0) {
@@ -99,9 +105,12 @@ Figure turk2002_fig04(const FigureContext& context) {
     figure.panels.push_back(std::move(panel));
   }
   figure.caption =
-      "Minus signs: exterior constraints, f = \u22121, on a circle. Nothing positive is asked for anywhere: the function of "
-      "least bending rises through zero at the boundary constraints by itself. Left, the ratio of the ellipse-like "
-      "curve\u2019s axes is " + in_words(ratio, 3) + ".";
+      "Minus signs: exterior constraints, f = \u22121, on a circle. Nothing positive is asked for anywhere: "
+      "the function of "
+      "least bending rises through zero at the boundary constraints by itself. Left, the ratio of the "
+      "ellipse-like "
+      "curve\u2019s axes is " +
+      in_words(ratio, 3) + ".";
   return figure;
 }
 

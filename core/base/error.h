@@ -16,7 +16,9 @@ class Error : public std::runtime_error {
 class FileError : public Error {
  public:
   FileError(const std::string& path, int line, const std::string& message)
-      : Error(path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + message), path_(path), line_(line) {}
+      : Error(path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + message),
+        path_(path),
+        line_(line) {}
   FileError(const std::string& path, const std::string& message) : FileError(path, 0, message) {}
 
   const std::string& path() const { return path_; }

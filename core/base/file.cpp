@@ -40,7 +40,8 @@ void write_file(const fs::path& path, std::string_view bytes) {
   // A pipe or /dev/stdout cannot be replaced by a rename: write to it as it stands.
   if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
     std::ofstream out(path, std::ios::binary);
-    if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush()) fail("it is not a file");
+    if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush())
+      fail("it is not a file");
     return;
   }
   // Through a symbolic link, so that saving keeps the link.

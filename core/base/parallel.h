@@ -1,5 +1,5 @@
-// One loop over blocks, run on all cores. The result never depends on how many there are: a block's work reads
-// shared data and writes only what belongs to the block.
+// One loop over blocks, run on all cores. The result never depends on how many there are: a block's work
+// reads shared data and writes only what belongs to the block.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,9 @@
 
 namespace seesaw {
 
-/// Calls `work(begin, end)` for consecutive runs that together cover 0 .. count - 1, each but the last a multiple
-/// of `block` long, in any order and from several threads. Work of one block or less runs in the calling thread.
+/// Calls `work(begin, end)` for consecutive runs that together cover 0 .. count - 1, each but the last a
+/// multiple of `block` long, in any order and from several threads. Work of one block or less runs in the
+/// calling thread.
 void parallel_blocks(Index count, Index block, const std::function<void(Index begin, Index end)>& work);
 
 }  // namespace seesaw

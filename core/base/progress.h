@@ -7,8 +7,9 @@
 
 namespace seesaw {
 
-/// Called now and then from the thread that does the work with the fraction done, 0 to 1; return false to stop the
-/// work, which then ends with `Cancelled` and leaves nothing half made. An empty function never stops it.
+/// Called now and then from the thread that does the work with the fraction done, 0 to 1; return false to
+/// stop the work, which then ends with `Cancelled` and leaves nothing half made. An empty function never
+/// stops it.
 using Progress = std::function<bool(double fraction)>;
 
 /// Reports `fraction` and throws Cancelled when the listener says stop.

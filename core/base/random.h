@@ -1,7 +1,7 @@
 // Seeded random numbers, the same on every machine and with every compiler.
 //
-// The standard's engines are exact but its distributions are not: two libraries draw different numbers from one
-// seed. So the bits come from std::mt19937_64 and everything after is ours.
+// The standard's engines are exact but its distributions are not: two libraries draw different numbers from
+// one seed. So the bits come from std::mt19937_64 and everything after is ours.
 #pragma once
 
 #include <cmath>

@@ -7,8 +7,8 @@
 
 namespace seesaw {
 
-/// `value` with `digits` significant digits, "%.{digits}g" in the C locale. Seventeen digits always read back to
-/// the same double. Not a number is "nan", infinity "inf".
+/// `value` with `digits` significant digits, "%.{digits}g" in the C locale. Seventeen digits always read back
+/// to the same double. Not a number is "nan", infinity "inf".
 std::string to_text(double value, int digits = 6);
 
 /// The number that `text` holds from its first to its last character, or nothing. "nan" and "inf" are numbers

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
+#include "core/base/tolerances.h"
 #include "core/contour/hidden.h"
 #include "core/contour/refine.h"
 #include "core/contour/trace.h"
@@ -28,6 +30,31 @@ class Stopwatch {
 bool has_room(const Box<2>& box) {
   return !box.isEmpty() && box.min().allFinite() && box.max().allFinite() && box.sizes().allFinite() &&
          box.sizes().minCoeff() > 0;
+}
+
+// A passage that led through a seed may have been left out, having nothing inside it: f touches zero there
+// from below.
+void find_seeds_left_out(const Crossings& curve, const std::vector<Polyline>& polylines,
+                         std::vector<Seed>& seeds) {
+  const Lattice& lattice = curve.mesh().lattice();
+  const double near = 2 * std::max(tolerance::on_curve * lattice.extent, lattice.grain);
+  std::vector<std::pair<double, double>> vertices;
+  for (const Polyline& polyline : polylines)
+    for (Index i = 0; i < polyline.vertices.cols(); ++i)
+      vertices.emplace_back(polyline.vertices(0, i), polyline.vertices(1, i));
+  std::sort(vertices.begin(), vertices.end());
+  for (Seed& seed : seeds) {
+    if (seed.state != Seed::State::satisfied || !seed.given) continue;
+    bool found = false;
+    const std::pair<double, double> first(seed.at.x() - near, seed.at.y() - near);
+    for (auto v = std::lower_bound(vertices.begin(), vertices.end(), first);
+         !found && v != vertices.end() && v->first <= seed.at.x() + near; ++v)
+      found = std::abs(v->second - seed.at.y()) <= near;
+    if (found) continue;
+    const Passage passage = curve.passage(seed.triangle);
+    const bool on_zero_edge = curve[passage.from].corner >= 0 && curve[passage.to].corner >= 0;
+    seed.state = on_zero_edge || seed.gradient.isZero(0) ? Seed::State::off_curve : Seed::State::lost;
+  }
 }
 
 void count_seeds(const std::vector<Seed>& seeds, Contour& result) {
@@ -82,6 +109,7 @@ Contour contour_of(const Lattice& lattice, Sampler& sampler, const PointsRef<2>&
     result.vertices += polyline.vertices.cols();
     result.length += length(polyline);
   }
+  find_seeds_left_out(curve, result.polylines, seeds);
   count_seeds(seeds, result);
   result.times.trace = watch.lap();
   return result;

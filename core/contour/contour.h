@@ -4,17 +4,16 @@
 // After it: core/mesh/polyline.h to measure with; core/image to draw.
 //
 // How it works, one file a step:
-//   lattice.h        the box is a lattice of square cells; f is evaluated at all corners in one batch
-//   triangulation.h  every cell is two triangles, and triangles can be bisected without ever leaving a gap
-//   roots.h          where an edge's ends differ in sign, f = 0 somewhere on it: found to rounding, all edges
-//   at once crossings.h      a triangle has either no crossing or exactly one way through seeds.h          is
-//   the curve that is seen the curve through the constraints? refine.h         triangles are bisected where
-//   the curve turns too much, or where a seed says that the curve is
-//                    not the one seen: a tiny loop between the lattice corners, two sheets closer than a cell
-//   hidden.h         a corner that is higher than all its neighbors but still outside may stand beside a
-//   small
-//                    component: climb and look
-//   trace.h          walk from triangle to triangle
+//   lattice.h        the box is a lattice of square cells; f is evaluated at all corners
+//   triangulation.h  cells are two triangles each, which can be bisected without ever leaving a gap
+//   roots.h          where an edge's ends differ in sign, f = 0 on it: found to rounding, all edges at once
+//   crossings.h      a triangle has either no crossing, or exactly one way through
+//   seeds.h          is the curve that is seen the curve through the constraints?
+//   refine.h         bisects where the curve turns too much, and where a seed says that the curve is not the
+//                    one seen: a tiny loop between the corners, two sheets closer than a cell
+//   hidden.h         a corner higher than all its neighbors but still outside may stand beside a small
+//                    component: climbs and looks
+//   trace.h          walks from triangle to triangle
 //
 // The sign rule. T&O interpolants are exactly zero at their constraints, and constraints love lattice
 // corners, so f == 0 at a corner is the normal case. One rule holds everywhere: f >= 0 is inside (-0.0 too),

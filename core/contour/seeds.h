@@ -9,11 +9,11 @@
 // A-s and s-B,
 //   - the gradients at A and B are square to their chords, to 12 degrees: the curve really sets out for s;
 //   - the gradients at points between, ever nearer to s, point to the left of the chords (to 30 degrees) and
-//   are of
-//     the size of the one at s (to a factor 3): between two sheets, or beside a small loop, they do not.
+//     are of the size of the one at s (to a factor 3): between two sheets, or beside a small loop, they do
+//     not.
 //   - f is positive to the left of the chords and negative to the right, at points off them by 17 degrees as
-//   seen from
-//     s, down to a millionth of the chord: it is not where a loop touches them, or two curves cross.
+//     seen from s, down to a millionth of the chord: it is not where a loop touches them, or two curves
+//     cross.
 // The kernel |x| makes a corner of the curve at every seed, where the one gradient given is that of neither
 // side. So a seed that fails by the size alone gets a second trial, of points so near to s that no loop fits
 // between, and their sizes are compared with each other. A seed without a gradient (a node) cannot be proved

@@ -24,16 +24,17 @@ class Field {
   /// Called from many threads at once. A point's value does not depend on the batch it came in.
   virtual void evaluate(const PointsRef<Dim>& points, Eigen::Ref<Values> values) const = 0;
 
-  /// As `evaluate`, and gradients.col(i) = grad f at points.col(i), Dim x N, in value per scene unit. Where the
-  /// gradient does not exist (the tip of a cone) it is the zero vector.
+  /// As `evaluate`, and gradients.col(i) = grad f at points.col(i), Dim x N, in value per scene unit. Where
+  /// the gradient does not exist (the tip of a cone) it is the zero vector.
   virtual void evaluate(const PointsRef<Dim>& points, Eigen::Ref<Values> values,
                         Eigen::Ref<Points<Dim>> gradients) const = 0;
 
-  /// A number that |grad f| exceeds nowhere in `box`; it shrinks with the box toward the true maximum. Infinite
-  /// where no bound is known.
+  /// A number that |grad f| exceeds nowhere in `box`; it shrinks with the box toward the true maximum.
+  /// Infinite where no bound is known.
   virtual double gradient_bound(const Box<Dim>& box) const = 0;
 
-  /// Where to look for the zero set: a box that holds what the field is about, with some room. Empty for none.
+  /// Where to look for the zero set: a box that holds what the field is about, with some room. Empty for
+  /// none.
   virtual Box<Dim> bounding_box() const = 0;
 
   // Conveniences over the batches above.

@@ -5,8 +5,9 @@
 
 namespace seesaw {
 
-/// The circle (2D) or sphere (3D) of T&O 2002, section 2.1, for any center c and radius r: f(x) = r - |x - c|.
-/// Its |grad f| is 1 everywhere but at the center, where the gradient does not exist and is given as zero.
+/// The circle (2D) or sphere (3D) of T&O 2002, section 2.1, for any center c and radius r: f(x) = r - |x -
+/// c|. Its |grad f| is 1 everywhere but at the center, where the gradient does not exist and is given as
+/// zero.
 template <int Dim>
 class Sphere final : public Field<Dim> {
  public:

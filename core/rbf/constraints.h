@@ -1,4 +1,5 @@
-// What a person says about a shape: here the curve passes, here is inside, here is outside, here is the normal.
+// What a person says about a shape: here the curve passes, here is inside, here is outside, here is the
+// normal.
 //
 // Before it: a click, a polygon model, a document.
 // After it: core/rbf/system.h, row i of eq. 8 is our constraint i.
@@ -7,9 +8,10 @@
 //   boundary   f = 0 here (4.1); with an optional normal constraint (4.3)
 //   interior   f = a positive value here (4.1); the papers use 1
 //   exterior   f = a negative value here (4.2); the papers use -1
-//   normal     belongs to a boundary constraint at c with outward unit normal n: f = value at c - offset * n, a
-//              little inside (4.3). The papers ask only that the value be positive, and place them 0.01 units from
-//              their boundary constraints "for objects that fit within a unit cube".
+//   normal     belongs to a boundary constraint at c with outward unit normal n: f = value at c - offset * n,
+//   a
+//              little inside (4.3). The papers ask only that the value be positive, and place them 0.01 units
+//              from their boundary constraints "for objects that fit within a unit cube".
 #pragma once
 
 #include <optional>
@@ -26,14 +28,15 @@ template <int Dim>
 struct NormalConstraint {
   /// The outward normal; of any length but zero, used as a unit vector.
   Point<Dim> direction = Point<Dim>::UnitX();
-  /// How far inside the boundary constraint its normal constraint stands, in scene units. Negative stands outside
-  /// (and then wants a negative value).
+  /// How far inside the boundary constraint its normal constraint stands, in scene units. Negative stands
+  /// outside (and then wants a negative value).
   double offset = 0.01;
   /// f at `at - offset * direction`.
   double value = 1.0;
 };
 
-/// One constraint of a document. `value` is f at `at`: 0 for boundary, positive for interior, negative for exterior.
+/// One constraint of a document. `value` is f at `at`: 0 for boundary, positive for interior, negative for
+/// exterior.
 template <int Dim>
 struct Constraint {
   ConstraintKind kind = ConstraintKind::boundary;
@@ -51,7 +54,8 @@ Constraint<Dim> boundary(const Point<Dim>& at) {
   return {ConstraintKind::boundary, at, 0.0, std::nullopt};
 }
 template <int Dim>
-Constraint<Dim> boundary(const Point<Dim>& at, const Point<Dim>& normal, double offset = 0.01, double value = 1.0) {
+Constraint<Dim> boundary(const Point<Dim>& at, const Point<Dim>& normal, double offset = 0.01,
+                         double value = 1.0) {
   return {ConstraintKind::boundary, at, 0.0, NormalConstraint<Dim>{normal, offset, value}};
 }
 template <int Dim>

@@ -35,8 +35,8 @@ double reciprocal_condition(const double* cholesky, Index n, Index stride, doubl
   double result = 0;
   Values work(3 * n);
   Eigen::Matrix<lapack_int, Eigen::Dynamic, 1> integers(n);
-  LAPACKE_dpocon_work(LAPACK_COL_MAJOR, 'L', static_cast<lapack_int>(n), cholesky, static_cast<lapack_int>(stride),
-                      norm1, &result, work.data(), integers.data());
+  LAPACKE_dpocon_work(LAPACK_COL_MAJOR, 'L', static_cast<lapack_int>(n), cholesky,
+                      static_cast<lapack_int>(stride), norm1, &result, work.data(), integers.data());
   return result;
 }
 
@@ -46,8 +46,8 @@ const char* name() { return "LAPACK"; }
 
 namespace {
 
-using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-using ConstMap = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<> >;
+using ConstMap = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<> >;
 
 // A = L L' given L, with the three members that Eigen's condition estimator asks of a factorization.
 struct Factored {
@@ -93,7 +93,7 @@ double norm1(const double* lower, Index n, Index stride) {
 
 bool cholesky(double* lower, Index n, Index stride) {
   Map a(lower, n, n, Eigen::OuterStride<>(stride));
-  return Eigen::LLT<Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>>(a).info() == Eigen::Success;
+  return Eigen::LLT<Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<> > >(a).info() == Eigen::Success;
 }
 
 void solve(const double* cholesky, Index n, Index stride, double* x) {

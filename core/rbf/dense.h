@@ -1,5 +1,5 @@
-// The four steps of dense linear algebra that a fit needs, by LAPACK where it is installed, by Eigen where it is
-// not. LAPACK's library picks the processor's instructions at run time; what we compile ourselves may not.
+// The four steps of dense linear algebra that a fit needs, by LAPACK where it is installed, by Eigen where it
+// is not. LAPACK's library picks the processor's instructions at run time; what we compile ourselves may not.
 //
 // Matrices are column-major with their lower triangle stored, n x n inside a larger one of `stride` rows.
 #pragma once

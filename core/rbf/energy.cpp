@@ -6,9 +6,12 @@ namespace seesaw {
 
 double growth_of(Kernel kernel) {
   switch (kernel) {
-    case Kernel::thin_plate_spline: return 2.0;
-    case Kernel::cubic: return 3.0;
-    case Kernel::linear: return 1.0;
+    case Kernel::thin_plate_spline:
+      return 2.0;
+    case Kernel::cubic:
+      return 3.0;
+    case Kernel::linear:
+      return 1.0;
   }
   return 0.0;
 }

@@ -20,7 +20,8 @@ template <int Dim>
 [[noreturn]] void refuse_too_close(const Rows<Dim>& rows, const char* evidence) {
   const auto culprits = nearest_pair(rows);
   throw ConstraintError(ConstraintError::Reason::too_close,
-                        words_for(culprits) + (culprits.size() == 1 ? " and its normal constraint are" : " are") +
+                        words_for(culprits) +
+                            (culprits.size() == 1 ? " and its normal constraint are" : " are") +
                             " too close together to solve for (" + evidence + "); move or delete one of them",
                         culprits);
 }
@@ -31,7 +32,8 @@ Fit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport report) {
   SEESAW_CHECK_LE(0.0, options.smoothing);
   report.kernel = options.kernel.value_or(papers_kernel(Dim));
   report.smoothing = options.smoothing;
-  // With smoothing the system has a solution even where measurements disagree, and a repeated one counts twice.
+  // With smoothing the system has a solution even where measurements disagree, and a repeated one counts
+  // twice.
   if (options.smoothing == 0.0) rows = merge_coincident(rows);
   report.merged = rows.merged;
   report.rows = rows.values.size();
@@ -50,15 +52,19 @@ Fit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport report) {
     return Interpolant<Dim>(report.kernel, rows.centers, normalization, s);
   };
   const double target = rows.values.cwiseAbs().maxCoeff();
-  // What the finished function misses by, and with smoothing what it misses beyond the lambda w that it should.
-  const auto residual_of = [&](const Interpolant<Dim>& f) -> Values { return rows.values - f.values(rows.centers); };
+  // What the finished function misses by, and with smoothing what it misses beyond the lambda w that it
+  // should.
+  const auto residual_of = [&](const Interpolant<Dim>& f) -> Values {
+    return rows.values - f.values(rows.centers);
+  };
   Interpolant<Dim> function = function_of(solution);
   Values residual = residual_of(function);
   if (options.smoothing == 0.0 && target > 0.0) {
-    // One step of iterative refinement. The residual is summed with its rounding errors kept, which is what makes
-    // the step worth its two solves; taken only where it helps.
+    // One step of iterative refinement. The residual is summed with its rounding errors kept, which is what
+    // makes the step worth its two solves; taken only where it helps.
     const Solution correction = factorization.solve(residual);
-    const Solution refined{solution.weights + correction.weights, solution.polynomial + correction.polynomial};
+    const Solution refined{solution.weights + correction.weights,
+                           solution.polynomial + correction.polynomial};
     Interpolant<Dim> better = function_of(refined);
     const Values remaining = residual_of(better);
     if (remaining.cwiseAbs().maxCoeff() < residual.cwiseAbs().maxCoeff()) {
@@ -91,15 +97,17 @@ Fit<Dim> fit(const Constraints<Dim>& constraints, const FitOptions& options) {
 }
 
 template <int Dim>
-Fit<Dim> fit_values(const PointsRef<Dim>& points, const Eigen::Ref<const Values>& values, const FitOptions& options) {
+Fit<Dim> fit_values(const PointsRef<Dim>& points, const Eigen::Ref<const Values>& values,
+                    const FitOptions& options) {
   FitReport report;
   report.boundary = points.cols();
   return fit_rows(rows_of<Dim>(points, values), options, report);
 }
 
-#define SEESAW_INSTANTIATE(Dim)                                                          \
-  template Fit<Dim> fit<Dim>(const Constraints<Dim>&, const FitOptions&);                \
-  template Fit<Dim> fit_values<Dim>(const PointsRef<Dim>&, const Eigen::Ref<const Values>&, const FitOptions&);
+#define SEESAW_INSTANTIATE(Dim)                                                             \
+  template Fit<Dim> fit<Dim>(const Constraints<Dim>&, const FitOptions&);                   \
+  template Fit<Dim> fit_values<Dim>(const PointsRef<Dim>&, const Eigen::Ref<const Values>&, \
+                                    const FitOptions&);
 SEESAW_INSTANTIATE(2)
 SEESAW_INSTANTIATE(3)
 SEESAW_INSTANTIATE(4)

@@ -18,9 +18,12 @@ struct Derivatives {
 // `unit` is the length that log r is measured in.
 Derivatives derivatives_at(Kernel kernel, double r, double unit) {
   switch (kernel) {
-    case Kernel::cubic: return {3 * r, 3 * r, 3, -3, 9, 1};
-    case Kernel::thin_plate_spline: return {2 * std::log(r / unit) + 1, 2, 2 / r, -4 / r, 6, 2};
-    case Kernel::linear: return {1 / r, -1 / r, -1 / (r * r), 3 / (r * r), 3, 3};
+    case Kernel::cubic:
+      return {3 * r, 3 * r, 3, -3, 9, 1};
+    case Kernel::thin_plate_spline:
+      return {2 * std::log(r / unit) + 1, 2, 2 / r, -4 / r, 6, 2};
+    case Kernel::linear:
+      return {1 / r, -1 / r, -1 / (r * r), 3 / (r * r), 3, 3};
   }
   return {};
 }
@@ -28,8 +31,9 @@ Derivatives derivatives_at(Kernel kernel, double r, double unit) {
 }  // namespace
 
 template <int Dim>
-double kernel_gradient_bound(Kernel kernel, const PointsRef<Dim>& centers, const Eigen::Ref<const Values>& weights,
-                             const Point<Dim>& slope, const Box<Dim>& box) {
+double kernel_gradient_bound(Kernel kernel, const PointsRef<Dim>& centers,
+                             const Eigen::Ref<const Values>& weights, const Point<Dim>& slope,
+                             const Box<Dim>& box) {
   const Point<Dim> m = box.center();
   const double radius = 0.5 * box.sizes().norm();
   Point<Dim> gradient = slope;
@@ -79,12 +83,13 @@ double kernel_gradient_bound(Kernel kernel, const PointsRef<Dim>& centers, const
   }
   double third_squared = 0.0;  // the Frobenius norm bounds the operator norm
   for (const auto& slice : third) third_squared += slice.squaredNorm();
-  const double bound = gradient.norm() + radius * hessian.norm() + radius * radius / 2 * std::sqrt(third_squared) +
+  const double bound = gradient.norm() + radius * hessian.norm() +
+                       radius * radius / 2 * std::sqrt(third_squared) +
                        radius * radius * radius / 6 * fourth + near;
   return bound * (1 + 1e-9) + 1e-13 * magnitude;
 }
 
-#define SEESAW_INSTANTIATE(Dim)                                                                            \
+#define SEESAW_INSTANTIATE(Dim)                                                                              \
   template double kernel_gradient_bound<Dim>(Kernel, const PointsRef<Dim>&, const Eigen::Ref<const Values>&, \
                                              const Point<Dim>&, const Box<Dim>&);
 SEESAW_INSTANTIATE(2)

@@ -15,8 +15,9 @@ namespace {
 // Points that go through the loops together: the loops' arrays stay in the nearest cache.
 constexpr Index block = 64;
 
-// Beyond this many sizes of the shape, squared distances leave the range that single precision can start a square
-// root from; such points take the portable loops. (The function is linear there to every digit but one.)
+// Beyond this many sizes of the shape, squared distances leave the range that single precision can start a
+// square root from; such points take the portable loops. (The function is linear there to every digit but
+// one.)
 constexpr double far = 1e15;
 
 // One block of points: their normalized coordinates, one array a coordinate.
@@ -32,7 +33,8 @@ struct BlockOfPoints {
   }
   // A single point, for those that are far.
   BlockOfPoints(const BlockOfPoints& other, Index i) : BlockOfPoints() {
-    for (std::size_t d = 0; d < Dim; ++d) coordinates[d][0] = other.coordinates[d][static_cast<std::size_t>(i)];
+    for (std::size_t d = 0; d < Dim; ++d)
+      coordinates[d][0] = other.coordinates[d][static_cast<std::size_t>(i)];
     count = 1;
   }
   void load(const PointsRef<Dim>& points, Index first, Index n, const Normalization<Dim>& normalization) {
@@ -48,13 +50,15 @@ struct BlockOfPoints {
   }
   bool is_far(Index i) const {
     bool result = false;
-    for (const auto& row : coordinates) result = result || !(std::abs(row[static_cast<std::size_t>(i)]) < far);
+    for (const auto& row : coordinates)
+      result = result || !(std::abs(row[static_cast<std::size_t>(i)]) < far);
     return result;
   }
   PointArrays arrays() const { return {pointers.data(), count}; }
   Point<Dim> point(Index i) const {
     Point<Dim> p;
-    for (int d = 0; d < Dim; ++d) p[d] = coordinates[static_cast<std::size_t>(d)][static_cast<std::size_t>(i)];
+    for (int d = 0; d < Dim; ++d)
+      p[d] = coordinates[static_cast<std::size_t>(d)][static_cast<std::size_t>(i)];
     return p;
   }
 };
@@ -68,7 +72,9 @@ struct BlockOfNumbers {
   BlockOfNumbers() {
     for (std::size_t k = 0; k < Rows; ++k) pointers[k] = numbers[k].data();
   }
-  double at(int row, Index i) const { return numbers[static_cast<std::size_t>(row)][static_cast<std::size_t>(i)]; }
+  double at(int row, Index i) const {
+    return numbers[static_cast<std::size_t>(row)][static_cast<std::size_t>(i)];
+  }
 };
 
 // Runs `sums(loops, points, numbers)` over all points in blocks and threads, and `take(i, normalized point,
@@ -108,8 +114,8 @@ std::array<const double*, Dim> column_starts(const Eigen::Matrix<double, Eigen::
 }  // namespace
 
 template <int Dim>
-Interpolant<Dim>::Interpolant(Kernel kernel, const PointsRef<Dim>& centers, const Normalization<Dim>& normalization,
-                              const Solution& solution)
+Interpolant<Dim>::Interpolant(Kernel kernel, const PointsRef<Dim>& centers,
+                              const Normalization<Dim>& normalization, const Solution& solution)
     : kernel_(kernel),
       centers_(centers),
       normalization_(normalization),
@@ -152,12 +158,14 @@ void Interpolant<Dim>::evaluate(const PointsRef<Dim>& points, Eigen::Ref<Values>
       },
       [&](Index i, const Point<Dim>& x, const auto& numbers, Index j) {
         values[i] = numbers.at(0, j) + (solution_.polynomial[0] + slope.dot(x));
-        for (int d = 0; d < Dim; ++d) gradients(d, i) = (numbers.at(1 + d, j) + slope[d]) / normalization_.scale;
+        for (int d = 0; d < Dim; ++d)
+          gradients(d, i) = (numbers.at(1 + d, j) + slope[d]) / normalization_.scale;
       });
 }
 
 template <int Dim>
-void Interpolant<Dim>::evaluate_hessians(const PointsRef<Dim>& points, Eigen::Ref<Hessians<Dim>> hessians) const {
+void Interpolant<Dim>::evaluate_hessians(const PointsRef<Dim>& points,
+                                         Eigen::Ref<Hessians<Dim>> hessians) const {
   SEESAW_CHECK_EQ(points.cols(), hessians.cols());
   const auto starts = column_starts<Dim>(columns_);
   const CenterArrays centers{starts.data(), solution_.weights.data(), size()};
@@ -196,16 +204,17 @@ Values Interpolant<Dim>::weights() const {
   return solution_.weights / std::pow(normalization_.scale, growth_of(kernel_));
 }
 
-// f(x) = sum_j w'_j phi(|x - c_j| / s) + p'_0 + p' . (x - m) / s, and for r^2 log r the logarithm of the scale s
-// leaves -log(s) sum_j w_j |x - c_j|^2, which the side conditions turn into the constant -log(s) sum_j w_j |c_j - m|^2.
+// f(x) = sum_j w'_j phi(|x - c_j| / s) + p'_0 + p' . (x - m) / s, and for r^2 log r the logarithm of the
+// scale s leaves -log(s) sum_j w_j |x - c_j|^2, which the side conditions turn into the constant -log(s)
+// sum_j w_j |c_j - m|^2.
 template <int Dim>
 Values Interpolant<Dim>::polynomial() const {
   Values result(Dim + 1);
   result.tail(Dim) = solution_.polynomial.tail(Dim) / normalization_.scale;
   result[0] = solution_.polynomial[0] - result.tail(Dim).dot(normalization_.center);
   if (kernel_ == Kernel::thin_plate_spline)
-    result[0] -= std::log(normalization_.scale) *
-                 (normalized_.colwise().squaredNorm() * solution_.weights).value();
+    result[0] -=
+        std::log(normalization_.scale) * (normalized_.colwise().squaredNorm() * solution_.weights).value();
   return result;
 }
 
@@ -214,7 +223,8 @@ double Interpolant<Dim>::energy() const {
   // w' Phi w by the function itself at its centers: Phi w = f - P p, and P' w = 0.
   const Values f = this->values(centers_);
   const double product = solution_.weights.dot(f) * (kernel_ == Kernel::linear ? -1.0 : 1.0);
-  return std::max(0.0, energy_factor(kernel_, Dim) * product / std::pow(normalization_.scale, growth_of(kernel_)));
+  return std::max(0.0,
+                  energy_factor(kernel_, Dim) * product / std::pow(normalization_.scale, growth_of(kernel_)));
 }
 
 template class Interpolant<2>;

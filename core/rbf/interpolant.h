@@ -5,7 +5,8 @@
 //
 //     f(x) = sum_j w_j phi(|x - c_j|) + p_0 + p . x               Turk & O'Brien 2002, eq. 5
 //
-// What it promises beyond a Field: Hessians, and the numbers behind the picture (weights, polynomial, energy).
+// What it promises beyond a Field: Hessians, and the numbers behind the picture (weights, polynomial,
+// energy).
 #pragma once
 
 #include <memory>
@@ -30,8 +31,8 @@ class Interpolant final : public Field<Dim> {
                 Eigen::Ref<Points<Dim>> gradients) const override;
   using Field<Dim>::evaluate;
 
-  /// hessians.col(i) = the Dim x Dim second derivatives at points.col(i), column-major, value per scene unit squared.
-  /// At a center, where those of r^2 log r and r do not exist, that center's own part is left out.
+  /// hessians.col(i) = the Dim x Dim second derivatives at points.col(i), column-major, value per scene unit
+  /// squared. At a center, where those of r^2 log r and r do not exist, that center's own part is left out.
   void evaluate_hessians(const PointsRef<Dim>& points, Eigen::Ref<Hessians<Dim>> hessians) const;
   /// The Hessian at one point, Dim x Dim.
   Eigen::Matrix<double, Dim, Dim> hessian(const Point<Dim>& point) const;
@@ -47,10 +48,12 @@ class Interpolant final : public Field<Dim> {
   const Points<Dim>& centers() const { return centers_; }
   /// w_j of eq. 5 in scene units, N. They meet eq. 8's side conditions: sum w_j = 0 and sum w_j c_j = 0.
   Values weights() const;
-  /// p_0 and p of eq. 5 in scene units, Dim + 1. Far from the origin p_0 has few digits; the field does not use it.
+  /// p_0 and p of eq. 5 in scene units, Dim + 1. Far from the origin p_0 has few digits; the field does not
+  /// use it.
   Values polynomial() const;
 
-  /// The bending energy of the function, >= 0, in value^2 per scene unit^(2 order - Dim): see core/rbf/energy.h.
+  /// The bending energy of the function, >= 0, in value^2 per scene unit^(2 order - Dim): see
+  /// core/rbf/energy.h.
   double energy() const;
 
   const Normalization<Dim>& normalization() const { return normalization_; }
@@ -66,7 +69,8 @@ class Interpolant final : public Field<Dim> {
   Points<Dim> normalized_;
   Solution solution_;
   Box<Dim> box_;
-  Eigen::Matrix<double, Eigen::Dynamic, Dim> columns_;  // normalized centers, one array a coordinate, for the loops
+  Eigen::Matrix<double, Eigen::Dynamic, Dim>
+      columns_;  // normalized centers, one array a coordinate, for the loops
 };
 
 extern template class Interpolant<2>;

@@ -4,9 +4,12 @@ namespace seesaw {
 
 std::string_view name_of(Kernel kernel) {
   switch (kernel) {
-    case Kernel::thin_plate_spline: return "thin_plate_spline";
-    case Kernel::cubic: return "cubic";
-    case Kernel::linear: return "linear";
+    case Kernel::thin_plate_spline:
+      return "thin_plate_spline";
+    case Kernel::cubic:
+      return "cubic";
+    case Kernel::linear:
+      return "linear";
   }
   return "?";
 }

@@ -2,15 +2,16 @@
 //
 // Before it: nothing but a distance.  After it: core/rbf/system.h fills eq. 8 with phi(|c_i - c_j|).
 //
-// Turk & O'Brien 2002, section 3. Each of the three is conditionally definite of order 2: together with a linear
-// polynomial the system of eq. 8 has exactly one solution, for any distinct centers that are not all on one line
-// (2D) or plane (3D). `definite_sign` says with which sign: definite_sign * v' Phi v > 0 for v orthogonal to
-// linear functions.
+// Turk & O'Brien 2002, section 3. Each of the three is conditionally definite of order 2: together with a
+// linear polynomial the system of eq. 8 has exactly one solution, for any distinct centers that are not all
+// on one line (2D) or plane (3D). `definite_sign` says with which sign: definite_sign * v' Phi v > 0 for v
+// orthogonal to linear functions.
 //
 //   kernel               phi(r)      sign   in 2D                          in 3D
 //   thin_plate_spline    r^2 log r    +     eq. 4: minimizes eq. 3         rougher than |x|^3
-//   cubic                r^3          +     smoother than the thin plate   the papers' choice (T&O 2002, sec. 3)
-//   linear               r            -     cones at the centers           minimizes eq. 3's 3D form (Carr et al. 2001)
+//   cubic                r^3          +     smoother than the thin plate   the papers' choice (T&O 2002, sec.
+//   3) linear               r            -     cones at the centers           minimizes eq. 3's 3D form (Carr
+//   et al. 2001)
 //
 // Every kernel works in every dimension.
 #pragma once

@@ -12,7 +12,8 @@ namespace {
 // The compiler's own test of the processor also asks whether the operating system saves the wide registers.
 const KernelSums& best() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
     return avx512_kernel_sums;
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2_kernel_sums;
 #endif
@@ -32,9 +33,11 @@ const KernelSums* kernel_sums_named(const char* name) {
   // Whatever the best can run, the lesser can too.
   const KernelSums* candidates[] = {
 #if defined(__x86_64__)
-      &avx512_kernel_sums, &avx2_kernel_sums,
+    &avx512_kernel_sums,
+    &avx2_kernel_sums,
 #endif
-      &portable_kernel_sums};
+    &portable_kernel_sums
+  };
   bool runs = false;
   for (const KernelSums* candidate : candidates) {
     runs = runs || candidate == &best();

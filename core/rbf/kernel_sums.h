@@ -3,13 +3,13 @@
 // Before it: core/rbf/interpolant.h brings points and centers into normalized coordinates (about unit size).
 // After it: eq. 5 of Turk & O'Brien 2002 lacks only its polynomial.
 //
-// Points lie across the lanes of a vector register and the loop runs over centers, so there is no sum across lanes
-// and nothing a compiler would have to reorder: without -ffast-math a plain loop over centers is three to four
-// times slower, because floating-point addition may not be reassociated. A lane's arithmetic does not depend on
-// its neighbors, so a point's value does not depend on the batch it came in.
+// Points lie across the lanes of a vector register and the loop runs over centers, so there is no sum across
+// lanes and nothing a compiler would have to reorder: without -ffast-math a plain loop over centers is three
+// to four times slower, because floating-point addition may not be reassociated. A lane's arithmetic does not
+// depend on its neighbors, so a point's value does not depend on the batch it came in.
 //
-// The same source (core/rbf/simd/kernel_sums.inc) is compiled once for each instruction set, and the best one the
-// processor has is chosen when the program runs.
+// The same source (core/rbf/simd/kernel_sums.inc) is compiled once for each instruction set, and the best one
+// the processor has is chosen when the program runs.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct CenterArrays {
   std::int64_t count = 0;
 };
 
-/// Points of a batch: one array a coordinate, each with room for `count` rounded up to `padding`; what stands in
-/// the rest is read (so must be a finite number) but means nothing.
+/// Points of a batch: one array a coordinate, each with room for `count` rounded up to `padding`; what stands
+/// in the rest is read (so must be a finite number) but means nothing.
 struct PointArrays {
   const double* const* coordinates = nullptr;
   std::int64_t count = 0;
@@ -37,11 +37,12 @@ struct PointArrays {
 struct KernelSums {
   const char* name;
 
-  /// values[i] = sum_j w_j phi(|x_i - c_j|). Added up in blocks whose sums are added with their rounding errors
-  /// kept, so that the error stays near 1e-16 of sum_j |w_j phi| however many centers there are.
+  /// values[i] = sum_j w_j phi(|x_i - c_j|). Added up in blocks whose sums are added with their rounding
+  /// errors kept, so that the error stays near 1e-16 of sum_j |w_j phi| however many centers there are.
   void (*values)(Kernel, int dimension, const CenterArrays&, const PointArrays&, double* values);
 
-  /// As above, and gradients[d][i] = sum_j w_j phi'(r) / r (x_i - c_j)_d; a center on the point itself gives 0.
+  /// As above, and gradients[d][i] = sum_j w_j phi'(r) / r (x_i - c_j)_d; a center on the point itself gives
+  /// 0.
   void (*gradients)(Kernel, int dimension, const CenterArrays&, const PointArrays&, double* values,
                     double* const* gradients);
 

@@ -46,8 +46,8 @@ Eigen::MatrixXd kernel_times(const Columns<Dim>& centers, Kernel kernel, const E
       const Index count = std::min(block, end - first);
       for (std::size_t d = 0; d < Dim; ++d) std::copy_n(centers.starts[d] + first, count, points[d].begin());
       for (Index k = 0; k < v.cols(); ++k) {
-        kernel_sums().values(kernel, Dim, {centers.starts.data(), v.col(k).data(), n}, {pointers.data(), count},
-                             sums.data());
+        kernel_sums().values(kernel, Dim, {centers.starts.data(), v.col(k).data(), n},
+                             {pointers.data(), count}, sums.data());
         std::copy_n(sums.begin(), count, result.col(k).data() + first);
       }
     }
@@ -64,7 +64,8 @@ Factorization<Dim>::Factorization(const PointsRef<Dim>& centers, Kernel kernel, 
   SEESAW_CHECK_LE(0.0, smoothing);
 
   // P = Q R with column pivoting, which also tells P's rank. Linear functions are taken about the mean of the
-  // centers, which lies on their line or plane if they have one: the polynomial of least norm is then level across it.
+  // centers, which lies on their line or plane if they have one: the polynomial of least norm is then level
+  // across it.
   mean_ = centers.rowwise().mean();
   Eigen::MatrixXd p(n_, Dim + 1);
   p.col(0).setOnes();
@@ -73,7 +74,8 @@ Factorization<Dim>::Factorization(const PointsRef<Dim>& centers, Kernel kernel, 
   qr.setThreshold(tolerance::degenerate);
   rank_ = qr.rank();
 
-  // The reflectors one after the other, H_k = I - t_k v_k v_k', as one block: Q = I - V T V' (Schreiber & Van Loan 1989).
+  // The reflectors one after the other, H_k = I - t_k v_k v_k', as one block: Q = I - V T V' (Schreiber & Van
+  // Loan 1989).
   reflectors_ = qr.matrixQR().leftCols(rank_).template triangularView<Eigen::StrictlyLower>();
   reflectors_.topRows(rank_) += Eigen::MatrixXd::Identity(rank_, rank_);
   triangle_ = Eigen::MatrixXd::Zero(rank_, rank_);
@@ -85,8 +87,9 @@ Factorization<Dim>::Factorization(const PointsRef<Dim>& centers, Kernel kernel, 
   }
 
   // Q1' P p = r has one solution or many; the pseudo-inverse takes the least-norm one.
-  const Eigen::MatrixXd r = Eigen::MatrixXd(qr.matrixQR().topRows(rank_).template triangularView<Eigen::Upper>()) *
-                            qr.colsPermutation().transpose();
+  const Eigen::MatrixXd r =
+      Eigen::MatrixXd(qr.matrixQR().topRows(rank_).template triangularView<Eigen::Upper>()) *
+      qr.colsPermutation().transpose();
   polynomial_ = r.completeOrthogonalDecomposition().pseudoInverse();
 
   // Q' Phi Q = Phi - V Y' - Y V'  with  Z = Phi V T  and  Y = Z - V T' V' Z / 2.

@@ -2,22 +2,25 @@
 //
 // Before it: core/rbf/system.h, the rows.  After it: core/rbf/interpolant.h, a function.
 //
-// Turk & O'Brien 2002, eq. 8, with Phi_ij = phi(|c_i - c_j|), P = [1 c'] of N x (Dim + 1), weights w, polynomial p:
+// Turk & O'Brien 2002, eq. 8, with Phi_ij = phi(|c_i - c_j|), P = [1 c'] of N x (Dim + 1), weights w,
+// polynomial p:
 //
 //     [ Phi + s lambda I   P ] [w]   [h]
-//     [        P'          0 ] [p] = [0]          s = +1 for r^2 log r and r^3, -1 for r;  lambda = smoothing.
+//     [        P'          0 ] [p] = [0]          s = +1 for r^2 log r and r^3, -1 for r;  lambda =
+//     smoothing.
 //
-// The matrix is symmetric but indefinite, so neither Cholesky nor a plain L D L' may touch it (the latter returns
-// garbage without a word). The paper uses LU. Better: the side conditions P' w = 0 say that w lies in the null
-// space of P'. With P = Q R (Householder), Q = [Q1 Q2], every such w is Q2 v, and
+// The matrix is symmetric but indefinite, so neither Cholesky nor a plain L D L' may touch it (the latter
+// returns garbage without a word). The paper uses LU. Better: the side conditions P' w = 0 say that w lies in
+// the null space of P'. With P = Q R (Householder), Q = [Q1 Q2], every such w is Q2 v, and
 //
 //     s Q2' (Phi + s lambda I) Q2 v = s Q2' h           is positive definite: Cholesky solves it;
 //     R p = Q1' (h - Phi w)                             then gives the polynomial.
 //
 // At N = 1600 that is over twice as fast as LU of eq. 8, at a reciprocal condition of 4e-9 instead of 1e-12.
 //
-// Where all centers lie on one line (2D) or plane (3D), P has no full rank: the weights are determined all the same
-// and the polynomial is not. Among those that fit, the one of least norm is taken: f is then constant across the line.
+// Where all centers lie on one line (2D) or plane (3D), P has no full rank: the weights are determined all
+// the same and the polynomial is not. Among those that fit, the one of least norm is taken: f is then
+// constant across the line.
 #pragma once
 
 #include "core/base/types.h"
@@ -52,17 +55,17 @@ class Factorization {
  private:
   using Skinny = Eigen::MatrixXd;  // N x rank
 
-  Values apply_q(Values x) const;            // Q x
+  Values apply_q(Values x) const;             // Q x
   Values apply_q_transposed(Values x) const;  // Q' x
 
   Index n_, rank_;
   double sign_, norm1_ = 0.0;
   bool positive_definite_ = true;
-  Point<Dim> mean_;              // linear functions are taken about it
-  Skinny reflectors_;            // V: Q = I - V T V'
-  Eigen::MatrixXd triangle_;     // T
-  Eigen::MatrixXd polynomial_;   // rank x (Dim + 1), takes Q1' (h - Phi w) to p
-  Eigen::MatrixXd matrix_;       // lower triangle of s Q' Phi Q; its trailing block factored in place
+  Point<Dim> mean_;             // linear functions are taken about it
+  Skinny reflectors_;           // V: Q = I - V T V'
+  Eigen::MatrixXd triangle_;    // T
+  Eigen::MatrixXd polynomial_;  // rank x (Dim + 1), takes Q1' (h - Phi w) to p
+  Eigen::MatrixXd matrix_;      // lower triangle of s Q' Phi Q; its trailing block factored in place
 };
 
 extern template class Factorization<2>;

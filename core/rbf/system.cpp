@@ -18,7 +18,8 @@ using Reason = ConstraintError::Reason;
 
 std::string list_of(const std::vector<Index>& indices) {
   std::string text;
-  for (std::size_t i = 0; i < indices.size() && i < 10; ++i) text += (i ? ", " : "") + std::to_string(indices[i]);
+  for (std::size_t i = 0; i < indices.size() && i < 10; ++i)
+    text += (i ? ", " : "") + std::to_string(indices[i]);
   if (indices.size() > 10) text += " and " + std::to_string(indices.size() - 10) + " more";
   return text;
 }
@@ -32,9 +33,10 @@ void refuse_unless_finite(const Rows<Dim>& rows) {
     if (!rows.centers.col(i).allFinite() || !std::isfinite(rows.values[i]))
       culprits.insert(rows.origins[static_cast<std::size_t>(i)].constraint);
   if (culprits.empty()) return;
-  throw ConstraintError(Reason::not_finite,
-                        "constraint " + list_of(sorted(culprits)) + ": a coordinate or value is not a finite number",
-                        sorted(culprits));
+  throw ConstraintError(
+      Reason::not_finite,
+      "constraint " + list_of(sorted(culprits)) + ": a coordinate or value is not a finite number",
+      sorted(culprits));
 }
 
 // Weights are in units of length^-3; sizes whose cube is no double have none.
@@ -63,8 +65,8 @@ void refuse_unless_in_range(const Rows<Dim>& rows) {
   throw ConstraintError(Reason::none_given, "there are no constraints: place at least one", {});
 }
 
-// Centers in the order of their projection onto a line in general position: whatever is near is then near in the
-// order too, and centers on a lattice, which tie along every axis, do not tie along it.
+// Centers in the order of their projection onto a line in general position: whatever is near is then near in
+// the order too, and centers on a lattice, which tie along every axis, do not tie along it.
 template <int Dim>
 struct Sweep {
   std::vector<Index> order;
@@ -77,7 +79,8 @@ struct Sweep {
     const Point<Dim> origin = centers.col(0);
     const Values projection = (direction.transpose() * (centers.colwise() - origin)).transpose() / extent;
     std::iota(order.begin(), order.end(), Index{0});
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return projection[a] < projection[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return projection[a] < projection[b]; });
     along.reserve(order.size());
     for (const Index i : order) along.push_back(projection[i]);
   }
@@ -190,7 +193,8 @@ std::vector<Index> nearest_pair(const Rows<Dim>& rows) {
       const double distance = (rows.centers.col(i) - rows.centers.col(j)).norm() / extent;
       if (distance >= nearest) continue;
       nearest = distance;
-      pair = {rows.origins[static_cast<std::size_t>(i)].constraint, rows.origins[static_cast<std::size_t>(j)].constraint};
+      pair = {rows.origins[static_cast<std::size_t>(i)].constraint,
+              rows.origins[static_cast<std::size_t>(j)].constraint};
     }
   return sorted(pair);
 }
@@ -206,11 +210,11 @@ Normalization<Dim> Normalization<Dim>::of(const PointsRef<Dim>& points) {
   return {center, std::ldexp(1.0, exponent)};
 }
 
-#define SEESAW_INSTANTIATE(Dim)                                                                   \
-  template Rows<Dim> rows_of<Dim>(const Constraints<Dim>&);                                       \
-  template Rows<Dim> rows_of<Dim>(const PointsRef<Dim>&, const Eigen::Ref<const Values>&);        \
-  template Rows<Dim> merge_coincident<Dim>(const Rows<Dim>&);                                     \
-  template std::vector<Index> nearest_pair<Dim>(const Rows<Dim>&);                                \
+#define SEESAW_INSTANTIATE(Dim)                                                            \
+  template Rows<Dim> rows_of<Dim>(const Constraints<Dim>&);                                \
+  template Rows<Dim> rows_of<Dim>(const PointsRef<Dim>&, const Eigen::Ref<const Values>&); \
+  template Rows<Dim> merge_coincident<Dim>(const Rows<Dim>&);                              \
+  template std::vector<Index> nearest_pair<Dim>(const Rows<Dim>&);                         \
   template struct Normalization<Dim>;
 SEESAW_INSTANTIATE(2)
 SEESAW_INSTANTIATE(3)

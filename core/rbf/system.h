@@ -1,10 +1,12 @@
-// From constraints to the rows of the linear system: the one place where a normal constraint becomes two values.
+// From constraints to the rows of the linear system: the one place where a normal constraint becomes two
+// values.
 //
 // Before it: core/rbf/constraints.h.  After it: core/rbf/solve.h finds the weights.
 //
-// Row i of eq. 8 (Turk & O'Brien 2002, section 3) says f(c_i) = h_i. A boundary constraint with a normal gives two
-// rows: f(c) = 0 and f(c - offset n) = value (section 4.3). Rows at one position with one value are one row: a
-// matrix with two equal rows has no inverse. Rows at one position with two values have no solution at all.
+// Row i of eq. 8 (Turk & O'Brien 2002, section 3) says f(c_i) = h_i. A boundary constraint with a normal
+// gives two rows: f(c) = 0 and f(c - offset n) = value (section 4.3). Rows at one position with one value are
+// one row: a matrix with two equal rows has no inverse. Rows at one position with two values have no solution
+// at all.
 #pragma once
 
 #include <vector>
@@ -14,8 +16,8 @@
 
 namespace seesaw {
 
-/// Constraints that no function can meet, or that no computer can tell apart. Normal in an editor: it keeps the
-/// last good shape and marks the culprits.
+/// Constraints that no function can meet, or that no computer can tell apart. Normal in an editor: it keeps
+/// the last good shape and marks the culprits.
 class ConstraintError : public Error {
  public:
   enum class Reason { none_given, not_finite, out_of_range, no_direction, contradictory, too_close };
@@ -48,8 +50,8 @@ struct Rows {
 };
 
 /// The rows that `constraints` ask for, one or two each, in their order. Nothing is merged yet.
-/// Throws ConstraintError: none_given, not_finite, out_of_range (a coordinate beyond 1e100, or all of them within
-/// 1e-100 of one another but not the same), no_direction (a normal of length zero).
+/// Throws ConstraintError: none_given, not_finite, out_of_range (a coordinate beyond 1e100, or all of them
+/// within 1e-100 of one another but not the same), no_direction (a normal of length zero).
 template <int Dim>
 Rows<Dim> rows_of(const Constraints<Dim>& constraints);
 
@@ -57,21 +59,21 @@ Rows<Dim> rows_of(const Constraints<Dim>& constraints);
 template <int Dim>
 Rows<Dim> rows_of(const PointsRef<Dim>& points, const Eigen::Ref<const Values>& values);
 
-/// Keeps the first of all rows that stand at one position (within tolerance::coincident) and ask for one value.
-/// Throws ConstraintError::contradictory, naming every culprit, where one position is asked for two values.
-/// O(N log N).
+/// Keeps the first of all rows that stand at one position (within tolerance::coincident) and ask for one
+/// value. Throws ConstraintError::contradictory, naming every culprit, where one position is asked for two
+/// values. O(N log N).
 template <int Dim>
 Rows<Dim> merge_coincident(const Rows<Dim>& rows);
 
-/// The two rows whose centers are nearest to each other, as constraint indices (ascending; one index if both rows
-/// came from one constraint). O(N log N) for scattered centers. N >= 2.
+/// The two rows whose centers are nearest to each other, as constraint indices (ascending; one index if both
+/// rows came from one constraint). O(N log N) for scattered centers. N >= 2.
 template <int Dim>
 std::vector<Index> nearest_pair(const Rows<Dim>& rows);
 
-/// Coordinates in which the system is solved: x' = (x - center) / scale, with every center in [-1, 1]. The function
-/// is the same (a sum of these kernels is invariant under similarity, once the polynomial is refitted), its digits
-/// are not: at an offset of 4.5e6, r^3 of scene coordinates would keep none. `scale` is a power of two, so dividing
-/// by it is exact.
+/// Coordinates in which the system is solved: x' = (x - center) / scale, with every center in [-1, 1]. The
+/// function is the same (a sum of these kernels is invariant under similarity, once the polynomial is
+/// refitted), its digits are not: at an offset of 4.5e6, r^3 of scene coordinates would keep none. `scale` is
+/// a power of two, so dividing by it is exact.
 template <int Dim>
 struct Normalization {
   Point<Dim> center = Point<Dim>::Zero();

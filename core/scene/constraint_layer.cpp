@@ -9,9 +9,12 @@ namespace {
 
 Symbol symbol_of(ConstraintKind kind) {
   switch (kind) {
-    case ConstraintKind::boundary: return Symbol::circle;
-    case ConstraintKind::interior: return Symbol::plus;
-    case ConstraintKind::exterior: return Symbol::minus;
+    case ConstraintKind::boundary:
+      return Symbol::circle;
+    case ConstraintKind::interior:
+      return Symbol::plus;
+    case ConstraintKind::exterior:
+      return Symbol::minus;
   }
   return Symbol::circle;
 }

@@ -12,7 +12,8 @@ namespace seesaw {
 struct PictureOptions;
 
 /// Draws what the display's `constraints` and `normals` ask for, red where highlighted, with labels.
-void draw_constraints(Canvas& canvas, const PlanView& view, const Document<2>& document, const PictureOptions& options);
+void draw_constraints(Canvas& canvas, const PlanView& view, const Document<2>& document,
+                      const PictureOptions& options);
 
 /// Where the symbols stand on the page.
 std::vector<Point<2>> symbol_places(const PlanView& view, const Document<2>& document);

@@ -22,7 +22,8 @@ template <int Dim>
 bool operator==(const SceneConstraint<Dim>& a, const SceneConstraint<Dim>& b) {
   return a.constraint.kind == b.constraint.kind && a.constraint.at == b.constraint.at &&
          a.constraint.value == b.constraint.value && same<Dim>(a.constraint.normal, b.constraint.normal) &&
-         a.highlight == b.highlight && a.highlight_normal == b.highlight_normal && a.label == b.label && a.extras == b.extras;
+         a.highlight == b.highlight && a.highlight_normal == b.highlight_normal && a.label == b.label &&
+         a.extras == b.extras;
 }
 
 template <int Dim>

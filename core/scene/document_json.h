@@ -17,8 +17,8 @@
 // "seesaw" (the version), "dimension" and "constraints" must be there; the kernel defaults to the papers'
 // kernel of the dimension, smoothing to 0. Of a boundary constraint, "normal", "offset" and "value" describe
 // its normal constraint: f = value at `at - offset * normal` (0.01 and 1 where they are missing). "value"
-// defaults to 1 for interior, -1 for exterior. A constraint may have "highlight": true, "highlight_normal": true
-// and a "label". Beside them a document may have "title", "figure", "description", "display" and, in 3D,
+// defaults to 1 for interior, -1 for exterior. A constraint may have "highlight": true, "highlight_normal":
+// true and a "label". Beside them a document may have "title", "figure", "description", "display" and, in 3D,
 // "camera": {"position", "target", "up", "field_of_view"}; see document.h.
 //
 // Keys that this version does not know (in 2D, "camera" is one) are kept, at every level, and written back

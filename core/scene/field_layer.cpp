@@ -32,7 +32,8 @@ SampledField sample(const Field<2>& field, const PlanView& view, int columns) {
 }
 
 double color_depth(double value, double range) {
-  return std::copysign(std::sqrt(std::abs(value) / std::max(range, std::numeric_limits<double>::min())), value);
+  return std::copysign(std::sqrt(std::abs(value) / std::max(range, std::numeric_limits<double>::min())),
+                       value);
 }
 
 void draw_field_colors(Canvas& canvas, const PlanView& view, const SampledField& sampled, double range) {
@@ -84,8 +85,8 @@ double clearance_of(const Point<2>& at, const std::vector<Point<2>>& others) {
   return clearance;
 }
 
-// The straightest stretch of the polyline (page coordinates) as long as the label, well inside the page, and clear of
-// what is there already.
+// The straightest stretch of the polyline (page coordinates) as long as the label, well inside the page, and
+// clear of what is there already.
 Place label_place(const Points<2>& line, bool closed, double width, const Rect& page,
                   const std::vector<Point<2>>& taken, const std::vector<Polyline>& curves, double height) {
   Place best;
@@ -95,7 +96,8 @@ Place label_place(const Points<2>& line, bool closed, double width, const Rect& 
     const Point<2> at = line.col(i);
     if (!inner.contains(at)) continue;
     if (clearance_of(at, taken) < 0.9 * width) continue;
-    if (std::any_of(curves.begin(), curves.end(), [&](const Polyline& curve) { return distance(curve, at) < height; }))
+    if (std::any_of(curves.begin(), curves.end(),
+                    [&](const Polyline& curve) { return distance(curve, at) < height; }))
       continue;
     const auto walk = [&](Index step) {
       double way = 0;
@@ -151,8 +153,8 @@ void draw_isolines(Canvas& canvas, const PlanView& view, const Field<2>& field, 
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const Polyline* a, const Polyline* b) { return length(*a) > length(*b); });
     for (const Polyline* piece : pieces) {
-      const Place place = label_place(view.page_from_scene(piece->vertices), piece->closed, width, view.page, taken,
-                                      curves, style.text_size);
+      const Place place = label_place(view.page_from_scene(piece->vertices), piece->closed, width, view.page,
+                                      taken, curves, style.text_size);
       if (place.straight < 0.9) continue;
       text_style.rotation = place.angle;
       canvas.text(place.at, text, text_style);

@@ -16,7 +16,8 @@ void stroke_polyline(Canvas& canvas, const PlanView& view, const Polyline& polyl
   polyline.closed ? canvas.polygon(line, stroke) : canvas.polyline(line, stroke);
 }
 
-// The tint of closed curves; a curve that leaves the view has an inside that needs the field's colors to be told.
+// The tint of closed curves; a curve that leaves the view has an inside that needs the field's colors to be
+// told.
 void tint_inside(Canvas& canvas, const PlanView& view, const std::vector<Polyline>& polylines) {
   std::vector<Points<2>> rings;
   for (const Polyline& polyline : polylines) {
@@ -62,9 +63,11 @@ void draw_gradient(Canvas& canvas, const PlanView& view, const Field<2>& field) 
   constexpr double spacing = 30;
   std::vector<Point<2>> places;
   for (double y = view.page.top() + spacing / 2; y < view.page.bottom(); y += spacing)
-    for (double x = view.page.left() + spacing / 2; x < view.page.right(); x += spacing) places.push_back({x, y});
+    for (double x = view.page.left() + spacing / 2; x < view.page.right(); x += spacing)
+      places.push_back({x, y});
   Points<2> points(2, static_cast<Index>(places.size()));
-  for (Index i = 0; i < points.cols(); ++i) points.col(i) = view.scene_from_page(places[static_cast<std::size_t>(i)]);
+  for (Index i = 0; i < points.cols(); ++i)
+    points.col(i) = view.scene_from_page(places[static_cast<std::size_t>(i)]);
   Values values(points.cols());
   Points<2> gradients(2, points.cols());
   field.evaluate(points, values, gradients);
@@ -88,18 +91,20 @@ Points<2> boundary_points(const Document<2>& document) {
   return points.leftCols(n);
 }
 
-Contour contour(const Document<2>& document, const Field<2>& field, const Box<2>& box, const ContourOptions& options) {
+Contour contour(const Document<2>& document, const Field<2>& field, const Box<2>& box,
+                const ContourOptions& options) {
   return contour(field, box, PointsRef<2>(boundary_points(document)), options);
 }
 
-DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>& document, const Field<2>& field,
-                           const PictureOptions& options) {
+DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>& document,
+                           const Field<2>& field, const PictureOptions& options) {
   const Display<2>& display = document.display;
   const PlanView view = plan_view(view_box(document, field), region);
   Contour curve = contour(document, field, view.scene);
   auto clip = canvas.clip(region);
   if (display.field || display.isolines) {
-    const SampledField sampled = sample(field, view, std::max(2, static_cast<int>(std::lround(region.width))));
+    const SampledField sampled =
+        sample(field, view, std::max(2, static_cast<int>(std::lround(region.width))));
     const double range = options.color_range > 0 ? options.color_range : sampled.largest();
     if (display.field) draw_field_colors(canvas, view, sampled, range);
     if (!display.field && options.tint_inside) tint_inside(canvas, view, curve.polylines);

@@ -1,7 +1,8 @@
-// A 2D document as a picture: field, isolines, curve, constraints, scale bar. The figures, the command line and the
-// editor all draw with this, so they look alike.
+// A 2D document as a picture: field, isolines, curve, constraints, scale bar. The figures, the command line
+// and the editor all draw with this, so they look alike.
 //
-// Before it: a document (core/scene/document.h) and the function fitted to it.  After it: core/image/canvas.h.
+// Before it: a document (core/scene/document.h) and the function fitted to it.  After it:
+// core/image/canvas.h.
 //
 //     const Document<2> document = read_document<2>("figures/scenes/turk2002-fig01-left.json");
 //     const Fit<2> fitted = fit(document);
@@ -27,7 +28,8 @@ Fit<Dim> fit(const Document<Dim>& document) {
   return fit(constraints_of(document), {.kernel = document.kernel, .smoothing = document.smoothing});
 }
 
-/// The positions of the boundary constraints, 2 x N: points that the curve passes through, the contour's seeds.
+/// The positions of the boundary constraints, 2 x N: points that the curve passes through, the contour's
+/// seeds.
 Points<2> boundary_points(const Document<2>& document);
 
 /// The curve of a document in `box`, seeded at its boundary constraints.
@@ -39,10 +41,10 @@ struct PictureOptions {
   std::vector<Polyline> ghosts = {};
   /// Tints what is inside, where the field's colors are not shown.
   bool tint_inside = true;
-  double symbol_size = 9.0;   ///< of constraints, points
-  double curve_width = 2.2;   ///< points
+  double symbol_size = 9.0;    ///< of constraints, points
+  double curve_width = 2.2;    ///< points
   double spike_length = 26.0;  ///< of normals, points
-  double text_size = 8.5;     ///< of isoline labels and scale bar, points
+  double text_size = 8.5;      ///< of isoline labels and scale bar, points
   /// Colors reach their full depth at this |f|; 0 for the largest |f| in view.
   double color_range = 0.0;
 };
@@ -54,7 +56,7 @@ struct DrawnPicture {
 };
 
 /// Draws the document in `region`, as document.display says. `field` is its function.
-DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>& document, const Field<2>& field,
-                           const PictureOptions& options = {});
+DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>& document,
+                           const Field<2>& field, const PictureOptions& options = {});
 
 }  // namespace seesaw

@@ -16,10 +16,12 @@ struct PlanView {
   double scale = 1.0;  ///< points per scene unit
 
   Point<2> page_from_scene(const Point<2>& p) const {
-    return {page.left() + (p.x() - scene.min().x()) * scale, page.bottom() - (p.y() - scene.min().y()) * scale};
+    return {page.left() + (p.x() - scene.min().x()) * scale,
+            page.bottom() - (p.y() - scene.min().y()) * scale};
   }
   Point<2> scene_from_page(const Point<2>& p) const {
-    return {scene.min().x() + (p.x() - page.left()) / scale, scene.min().y() + (page.bottom() - p.y()) / scale};
+    return {scene.min().x() + (p.x() - page.left()) / scale,
+            scene.min().y() + (page.bottom() - p.y()) / scale};
   }
   Points<2> page_from_scene(const Points<2>& points) const {
     Points<2> result(2, points.cols());
@@ -31,8 +33,8 @@ struct PlanView {
 /// The view that shows all of `scene` (not empty), centered in `page`, and as much around it as fits.
 PlanView plan_view(const Box<2>& scene, const Rect& page);
 
-/// What to show of the document: its own display.view, or else the constraints and the curve through them with some
-/// room around.
+/// What to show of the document: its own display.view, or else the constraints and the curve through them
+/// with some room around.
 Box<2> view_box(const Document<2>& document, const Field<2>& field);
 
 }  // namespace seesaw

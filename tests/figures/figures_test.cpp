@@ -1,4 +1,5 @@
-// Every figure of the catalog: its checks hold, its facts have the agreed names, its picture looks like its reference.
+// Every figure of the catalog: its checks hold, its facts have the agreed names, its picture looks like its
+// reference.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -51,7 +52,8 @@ TEST_P(FigureTest, ItSaysWhatItShows) {
 }
 
 TEST_P(FigureTest, ItsFilesAreAsDescribed) {
-  const fs::path folder = fs::temp_directory_path() / ("seesaw_figures_" + std::to_string(::getpid()) + GetParam().id);
+  const fs::path folder =
+      fs::temp_directory_path() / ("seesaw_figures_" + std::to_string(::getpid()) + GetParam().id);
   write_figure(figure(), folder, 0.5);
   EXPECT_TRUE(fs::exists(folder / (figure().id + ".png")));
   const Facts description = Facts::parse(std::ifstream(folder / (figure().id + ".json")));
@@ -70,10 +72,12 @@ TEST_P(FigureTest, ItsFilesAreAsDescribed) {
 TEST_P(FigureTest, ItLooksLikeItsReference) {
   const Image picture = compose(figure()).image(1);
   const fs::path path = reference_folder() / (GetParam().id + ".png");
-  ASSERT_TRUE(fs::exists(path)) << "make it: figures make " << GetParam().id << " --update-references, and look at it";
+  ASSERT_TRUE(fs::exists(path)) << "make it: figures make " << GetParam().id
+                                << " --update-references, and look at it";
   const Image reference = read_png(path);
   const Comparison comparison = compare_images(picture, reference);
-  // A line moved by a pixel reaches about 16 and a missing symbol more than 25; the mean catches a change of color.
+  // A line moved by a pixel reaches about 16 and a missing symbol more than 25; the mean catches a change of
+  // color.
   const bool alike = comparison.same_size && comparison.worst < 18 && comparison.mean < 0.5;
   EXPECT_TRUE(alike) << "worst " << comparison.worst << ", mean " << comparison.mean << ", noticeable "
                      << comparison.noticeable;

@@ -33,7 +33,8 @@ struct ScatteredData {
   Values values;
 
   ScatteredData(Index n, Random& random)
-      : points(random.points_in<Dim>(Box<Dim>(Point<Dim>::Constant(-1), Point<Dim>::Constant(1)), n)), values(n) {
+      : points(random.points_in<Dim>(Box<Dim>(Point<Dim>::Constant(-1), Point<Dim>::Constant(1)), n)),
+        values(n) {
     for (Index i = 0; i < n; ++i) values[i] = random.uniform(-1, 1);
   }
 };

@@ -8,19 +8,16 @@
 
 namespace {
 
-// 1 / (middle of interval k of [1, 2)), eight intervals, cut to 20 bits so that its lower word is zero; and minus
-// its logarithm, correctly rounded, as upper and lower words.
+// 1 / (middle of interval k of [1, 2)), eight intervals, cut to 20 bits so that its lower word is zero; and
+// minus its logarithm, correctly rounded, as upper and lower words.
 alignas(32) constexpr unsigned inverse_words[8] = {
-    0x3fee1e1e, 0x3feaf286, 0x3fe86186, 0x3fe642c8,
-    0x3fe47ae1, 0x3fe2f684, 0x3fe1a7b9, 0x3fe08421,
+    0x3fee1e1e, 0x3feaf286, 0x3fe86186, 0x3fe642c8, 0x3fe47ae1, 0x3fe2f684, 0x3fe1a7b9, 0x3fe08421,
 };
 alignas(32) constexpr unsigned log_upper_words[8] = {
-    0x3faf0a32, 0x3fc5ff33, 0x3fd1675c, 0x3fd739d8,
-    0x3fdc8ff8, 0x3fe0be74, 0x3fe307d7, 0x3fe52a2d,
+    0x3faf0a32, 0x3fc5ff33, 0x3fd1675c, 0x3fd739d8, 0x3fdc8ff8, 0x3fe0be74, 0x3fe307d7, 0x3fe52a2d,
 };
 alignas(32) constexpr unsigned log_lower_words[8] = {
-    0xc01163a6, 0xf0a7a014, 0xebaba62e, 0xf6bbd207,
-    0xa79a9baa, 0x242530c3, 0xe34f12a2, 0x365bc5af,
+    0xc01163a6, 0xf0a7a014, 0xebaba62e, 0xf6bbd207, 0xa79a9baa, 0x242530c3, 0xe34f12a2, 0x365bc5af,
 };
 
 struct Lanes {
@@ -34,9 +31,9 @@ struct Lanes {
 
   static Batch fma(Batch a, Batch b, Batch c) { return _mm256_fmadd_pd(a, b, c); }
 
-  // One center's square root on the hardware's unit, the next center's as for AVX-512, from the 12 bits of single
-  // precision's estimate: one step of third order (36 bits), one of second. Side by side they take half again less
-  // time than either alone.
+  // One center's square root on the hardware's unit, the next center's as for AVX-512, from the 12 bits of
+  // single precision's estimate: one step of third order (36 bits), one of second. Side by side they take
+  // half again less time than either alone.
   template <int turn>
   static Root root(Batch s) {
     if constexpr (turn == 0) {
@@ -54,7 +51,8 @@ struct Lanes {
     return {g, _mm256_fmadd_pd(inverse, _mm256_fnmadd_pd(g, inverse, _mm256_set1_pd(1.0)), inverse)};
   }
 
-  // As for AVX-512, with eight intervals (what one permutation holds), so |r| < 1/15 and the series runs to r^14.
+  // As for AVX-512, with eight intervals (what one permutation holds), so |r| < 1/15 and the series runs to
+  // r^14.
   static Batch log(Batch s) {
     const __m256i bits = _mm256_castpd_si256(s);
     const __m256i exponent_bits = _mm256_srli_epi64(bits, 52);
@@ -62,8 +60,8 @@ struct Lanes {
     const __m256d e = _mm256_sub_pd(
         _mm256_castsi256_pd(_mm256_or_si256(exponent_bits, _mm256_set1_epi64x(0x4330000000000000))),
         _mm256_set1_pd(4503599627370496.0 + 1023.0));
-    const __m256d m = _mm256_castsi256_pd(_mm256_or_si256(_mm256_and_si256(bits, _mm256_set1_epi64x(0xfffffffffffff)),
-                                                          _mm256_set1_epi64x(0x3ff0000000000000)));
+    const __m256d m = _mm256_castsi256_pd(_mm256_or_si256(
+        _mm256_and_si256(bits, _mm256_set1_epi64x(0xfffffffffffff)), _mm256_set1_epi64x(0x3ff0000000000000)));
     // Three bits of the mantissa pick the interval, in the upper word and in the lower word of each lane.
     const __m256i upper = _mm256_srli_epi64(bits, 17);
     const __m256i lower = _mm256_srli_epi64(bits, 49);
@@ -71,7 +69,8 @@ struct Lanes {
     const auto table = [](const unsigned* words, __m256i index) {
       return _mm256_permutevar8x32_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(words)), index);
     };
-    const __m256d c = _mm256_castsi256_pd(_mm256_blend_epi32(_mm256_setzero_si256(), table(inverse_words, k), 0b10101010));
+    const __m256d c =
+        _mm256_castsi256_pd(_mm256_blend_epi32(_mm256_setzero_si256(), table(inverse_words, k), 0b10101010));
     const __m256d log_c = _mm256_castsi256_pd(
         _mm256_blend_epi32(table(log_lower_words, k), table(log_upper_words, k), 0b10101010));
     const __m256d r = _mm256_fmsub_pd(m, c, _mm256_set1_pd(1.0));

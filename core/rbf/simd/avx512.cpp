@@ -1,7 +1,7 @@
 // The loops for AVX-512 (F, DQ, VL): eight lanes.
 //
-// xsimd 8.1 has no fused multiply-add for this instruction set, and its rsqrt is one that only Xeon Phi executes;
-// so these three functions name their instructions.
+// xsimd 8.1 has no fused multiply-add for this instruction set, and its rsqrt is one that only Xeon Phi
+// executes; so these three functions name their instructions.
 #include <immintrin.h>
 
 #include <xsimd/xsimd.hpp>
@@ -52,13 +52,15 @@ struct Lanes {
     return {g, _mm512_fmadd_pd(inverse, _mm512_fnmadd_pd(g, inverse, _mm512_set1_pd(1.0)), inverse)};
   }
 
-  // s = 2^e m with m in [1, 2); interval k of m from its first four bits; r = m c_k - 1 exact but for one rounding,
-  // |r| < 1/31;  log s = e ln 2 - log c_k + log1p(r), the last by its series to r^10 (the next term is below 2^-57).
+  // s = 2^e m with m in [1, 2); interval k of m from its first four bits; r = m c_k - 1 exact but for one
+  // rounding, |r| < 1/31;  log s = e ln 2 - log c_k + log1p(r), the last by its series to r^10 (the next term
+  // is below 2^-57).
   static Batch log(Batch s) {
     const __m512d m = _mm512_getmant_pd(s, _MM_MANT_NORM_1_2, _MM_MANT_SIGN_zero);
     const __m512d e = _mm512_getexp_pd(s);
     const __m512i k = _mm512_srli_epi64(_mm512_castpd_si512(s), 48);  // permutex2var reads the low four bits
-    const __m512d c = _mm512_permutex2var_pd(_mm512_load_pd(inverse_table), k, _mm512_load_pd(inverse_table + 8));
+    const __m512d c =
+        _mm512_permutex2var_pd(_mm512_load_pd(inverse_table), k, _mm512_load_pd(inverse_table + 8));
     const __m512d log_c = _mm512_permutex2var_pd(_mm512_load_pd(log_table), k, _mm512_load_pd(log_table + 8));
     const __m512d r = _mm512_fmsub_pd(m, c, _mm512_set1_pd(1.0));
     const __m512d r2 = _mm512_mul_pd(r, r);

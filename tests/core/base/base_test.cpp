@@ -73,7 +73,8 @@ TEST_F(File, ErrorsNameTheFile) {
   };
   EXPECT_THAT(message([&] { read_file(folder / "none"); }), HasSubstr("none: no such file"));
   EXPECT_THAT(message([&] { read_file(folder); }), HasSubstr("is a folder"));
-  EXPECT_THAT(message([&] { write_file(folder / "no" / "where", "x"); }), HasSubstr("where: cannot be written"));
+  EXPECT_THAT(message([&] { write_file(folder / "no" / "where", "x"); }),
+              HasSubstr("where: cannot be written"));
   write_file(folder / "a", "12345");
   EXPECT_THAT(message([&] { read_file(folder / "a", 4); }), HasSubstr("larger than the 4 bytes"));
   EXPECT_EQ(FileError("a.json", 12, "bad").what(), std::string("a.json:12: bad"));
@@ -144,9 +145,10 @@ TEST(Parallel, BlocksCoverEverythingOnce) {
 }
 
 TEST(Parallel, ErrorsReachTheCaller) {
-  EXPECT_THROW(parallel_blocks(1000, 1, [](Index begin, Index) {
-                 if (begin > 500) throw Error("no");
-               }),
+  EXPECT_THROW(parallel_blocks(1000, 1,
+                               [](Index begin, Index) {
+                                 if (begin > 500) throw Error("no");
+                               }),
                Error);
 }
 
@@ -156,7 +158,9 @@ TEST(Progress, StopsWhenTold) {
   EXPECT_THROW(report([](double) { return false; }, 0.5), Cancelled);
 }
 
-TEST(CheckDeathTest, PrintsBothValues) { EXPECT_DEATH(SEESAW_CHECK_EQ(1 + 1, 3), "1 \\+ 1 == 3.*left  = 2.*right = 3"); }
+TEST(CheckDeathTest, PrintsBothValues) {
+  EXPECT_DEATH(SEESAW_CHECK_EQ(1 + 1, 3), "1 \\+ 1 == 3.*left  = 2.*right = 3");
+}
 
 TEST(Types, BoxesGrow) {
   const Box<2> box = grown<2>(Box<2>(Point<2>(0, 0), Point<2>(4, 2)), 0.25);

@@ -1,4 +1,6 @@
 // Fields and boxes that mean no good: no hang, no crash, no broken polyline.
+#include <cstring>
+
 #include "core/implicit/primitives.h"
 #include "tests/core/contour/test_fields.h"
 

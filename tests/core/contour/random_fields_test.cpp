@@ -1,5 +1,4 @@
 // A thousand fields nobody chose.
-#include <cstring>
 
 #include "tests/core/contour/test_fields.h"
 

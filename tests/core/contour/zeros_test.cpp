@@ -110,6 +110,9 @@ TEST(ExactZeros, LinesTouchedFromBelowAreNoCurve) {
   });
   for (const int cells : {8, 16, 31}) {
     EXPECT_EQ(contour(line, box, {.cells = cells}).components, 0) << cells;
+    const Contour seeded = contour(line, box, points_of({{0, 0.125}, {0, 0.3}}), {.cells = cells});
+    EXPECT_EQ(seeded.components, 0);
+    EXPECT_EQ(seeded.seeds_off_curve, 2) << cells;
     EXPECT_EQ(contour(ring, box, {.cells = cells}).components, 0) << cells;
     const Contour with_hair = contour(hair, box, {.cells = cells});
     expect_sound(hair, box, with_hair);

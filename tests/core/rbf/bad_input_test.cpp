@@ -56,7 +56,8 @@ TEST(BadInput, CollinearConstraintsAreConstantAcrossTheirLine) {
     Constraints<2> constraints;
     const Point<2> from(0.3, -0.7), along(0.6, 0.8), across(-0.8, 0.6);
     const double values[] = {-1, 0, 1, 0.5, -2};
-    for (int i = 0; i < 5; ++i) constraints.push_back({ConstraintKind::interior, from + i * along, values[i], {}});
+    for (int i = 0; i < 5; ++i)
+      constraints.push_back({ConstraintKind::interior, from + i * along, values[i], {}});
     const auto fitted = fit(constraints, {.kernel = kernel});
     EXPECT_TRUE(fitted.report.degenerate);
     EXPECT_EQ(fitted.report.polynomial_rank, 2);
@@ -75,7 +76,8 @@ TEST(BadInput, CoplanarConstraintsIn3D) {
   Constraints<3> constraints;
   for (int i = 0; i < 20; ++i) {
     const Point<2> p = random.points_in<2>(Box<2>(Point<2>(-1, -1), Point<2>(1, 1)), 1).col(0);
-    constraints.push_back({ConstraintKind::interior, {p[0], p[1], 2 * p[0] - p[1] + 3}, random.uniform(-1, 1), {}});
+    constraints.push_back(
+        {ConstraintKind::interior, {p[0], p[1], 2 * p[0] - p[1] + 3}, random.uniform(-1, 1), {}});
   }
   const auto fitted = fit(constraints);
   EXPECT_EQ(fitted.report.polynomial_rank, 3);
@@ -174,7 +176,8 @@ TEST(BadInput, FarFromTheOriginAndVerySmall) {
   };
   // Moved by 1e7 the coordinates keep 1e-9 of a unit, which the steep normals (slope 50 and more) magnify.
   for (const Case& c : {Case{1, {1e7, -1e7}, 1e-5}, Case{1, {4.5e6, 4.5e6}, 1e-5}, Case{1e-9, {0, 0}, 1e-9},
-                        Case{1e9, {0, 0}, 1e-9}, Case{1e-9, {1e-2, 0}, 1e-5}, Case{1e90, {0, 0}, 1e-9}, Case{1e-90, {0, 0}, 1e-9}}) {
+                        Case{1e9, {0, 0}, 1e-9}, Case{1e-9, {1e-2, 0}, 1e-5}, Case{1e90, {0, 0}, 1e-9},
+                        Case{1e-90, {0, 0}, 1e-9}}) {
     auto moved = constraints;
     for (auto& constraint : moved) {
       constraint.at = c.scale * constraint.at + c.shift;
@@ -183,7 +186,8 @@ TEST(BadInput, FarFromTheOriginAndVerySmall) {
     const auto there = fit(moved);
     EXPECT_LT(there.report.max_residual, 1e-10);
     const Values values = there.function.values((c.scale * x).colwise() + c.shift);
-    EXPECT_LE((values - expected).cwiseAbs().maxCoeff(), c.tolerance * expected.cwiseAbs().maxCoeff()) << c.scale;
+    EXPECT_LE((values - expected).cwiseAbs().maxCoeff(), c.tolerance * expected.cwiseAbs().maxCoeff())
+        << c.scale;
   }
 }
 
@@ -216,7 +220,8 @@ TEST(BadInput, EvaluationFarAwayStaysTheFormula) {
   const Values p = f.polynomial();
   for (const double far : {1e3, 1e6, 1e9, 1e16, 1e30}) EXPECT_TRUE(std::isfinite(f.value({far, 0.5 * far})));
   // The linear term wins over the logarithm, until rounding (1e-16 of r^2 log r) wins over both.
-  for (const double far : {1e6, 1e7, 1e8}) EXPECT_NEAR(f.value({far, 0.5 * far}) / (p[1] + 0.5 * p[2]) / far, 1, 1e-3);
+  for (const double far : {1e6, 1e7, 1e8})
+    EXPECT_NEAR(f.value({far, 0.5 * far}) / (p[1] + 0.5 * p[2]) / far, 1, 1e-3);
   // A far point among near ones does not disturb them.
   Points<2> x(2, 3);
   x << 0.1, 1e20, 0.2, 0.3, 1e20, -0.4;

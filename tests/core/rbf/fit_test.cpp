@@ -31,13 +31,14 @@ void expect_meets_constraints(const Constraints<Dim>& constraints, const Interpo
     EXPECT_NEAR(f.value(constraint.at), constraint.value, tolerance);
     if (!constraint.normal) continue;
     const auto& normal = *constraint.normal;
-    EXPECT_NEAR(f.value(constraint.at - normal.offset * normal.direction.normalized()), normal.value, tolerance);
+    EXPECT_NEAR(f.value(constraint.at - normal.offset * normal.direction.normalized()), normal.value,
+                tolerance);
   }
 }
 
 TEST(Fit, DocstringExample) {
-  Constraints<2> shape = {boundary<2>({-1, 0}), boundary<2>({1, 0}), boundary<2>({0, -1}), boundary<2>({0, 1}),
-                          interior<2>({0, 0})};
+  Constraints<2> shape = {boundary<2>({-1, 0}), boundary<2>({1, 0}), boundary<2>({0, -1}),
+                          boundary<2>({0, 1}), interior<2>({0, 0})};
   const Fit<2> fitted = fit(shape);
   EXPECT_NEAR(fitted.function.value({0, 0}), 1.0, 1e-15);
   EXPECT_LT(fitted.function.value({2, 0}), 0.0);
@@ -98,7 +99,9 @@ TYPED_TEST(FitIn, WeightsAndPolynomialAreThoseOfEquation8) {
       for (Index j = 0; j < n; ++j) {
         const double r = (data.points.col(i) - data.points.col(j)).norm();
         if (i != j)
-          system(i, j) = kernel == Kernel::cubic ? r * r * r : kernel == Kernel::linear ? r : r * r * std::log(r);
+          system(i, j) = kernel == Kernel::cubic    ? r * r * r
+                         : kernel == Kernel::linear ? r
+                                                    : r * r * std::log(r);
       }
       system(i, n) = system(n, i) = 1;
       for (int d = 0; d < Dim; ++d) system(i, n + 1 + d) = system(n + 1 + d, i) = data.points(d, i);
@@ -143,7 +146,9 @@ TYPED_TEST(FitIn, SimilarityChangesNothing) {
     for (int d = 0; d < Dim; ++d) rotation.col(d) = random.direction<Dim>();
     rotation = rotation.householderQr().householderQ();
     const Point<Dim> shift = 100 * random.direction<Dim>();
-    const auto moved = [&](const Points<Dim>& x) -> Points<Dim> { return (37.0 * rotation * x).colwise() + shift; };
+    const auto moved = [&](const Points<Dim>& x) -> Points<Dim> {
+      return (37.0 * rotation * x).colwise() + shift;
+    };
     const auto f = fit_values<Dim>(data.points, data.values, {.kernel = kernel}).function;
     const auto g = fit_values<Dim>(moved(data.points), data.values, {.kernel = kernel}).function;
     const Points<Dim> x = random.points_in<Dim>(f.bounding_box(), 50);
@@ -227,8 +232,9 @@ TEST(Fit, EnergyIsEquation3ByQuadrature) {  // E(f) = 8 pi w'h in 2D
   const auto constraints = four_around_one();
   const auto fitted = fit(constraints);
   const auto& f = fitted.function;
-  // Polar midpoint rule with r = tan: over the whole plane the integrand falls as r^-4, so the tail beyond r costs
-  // O(r^-2). The integrand has log^2 peaks at the centers; 4 million points bring their error below 1e-3.
+  // Polar midpoint rule with r = tan: over the whole plane the integrand falls as r^-4, so the tail beyond r
+  // costs O(r^-2). The integrand has log^2 peaks at the centers; 4 million points bring their error below
+  // 1e-3.
   const Index rings = 1500, spokes = 2400;
   double energy = 0;
   Points<2> x(2, spokes);
@@ -237,7 +243,8 @@ TEST(Fit, EnergyIsEquation3ByQuadrature) {  // E(f) = 8 pi w'h in 2D
     const double t = (static_cast<double>(i) + 0.5) / static_cast<double>(rings) * M_PI / 2;
     const double r = std::tan(t), dr = M_PI / 2 / static_cast<double>(rings) / std::pow(std::cos(t), 2);
     for (Index j = 0; j < spokes; ++j) {
-      const double angle = 2 * M_PI * (static_cast<double>(j) + 0.5 * static_cast<double>(i % 2)) / static_cast<double>(spokes);
+      const double angle = 2 * M_PI * (static_cast<double>(j) + 0.5 * static_cast<double>(i % 2)) /
+                           static_cast<double>(spokes);
       x.col(j) = r * Point<2>(std::cos(angle), std::sin(angle));
     }
     f.evaluate_hessians(x, h);
@@ -249,10 +256,11 @@ TEST(Fit, EnergyIsEquation3ByQuadrature) {  // E(f) = 8 pi w'h in 2D
 }
 
 TEST(Fit, EnergyFactorsAreThoseOfTheFundamentalSolutions) {
-  EXPECT_NEAR(energy_factor(Kernel::thin_plate_spline, 2), 8 * M_PI, 1e-12);  // bilaplacian of r^2 log r in 2D
-  EXPECT_NEAR(energy_factor(Kernel::linear, 3), 8 * M_PI, 1e-12);             // bilaplacian of r in 3D, but for sign
-  EXPECT_NEAR(energy_factor(Kernel::cubic, 3), 96 * M_PI, 1e-11);             // trilaplacian of r^3 in 3D
-  EXPECT_NEAR(energy_factor(Kernel::cubic, 1), 12, 1e-12);                    // fourth derivative of |x|^3: cubic splines
+  EXPECT_NEAR(energy_factor(Kernel::thin_plate_spline, 2), 8 * M_PI,
+              1e-12);                                              // bilaplacian of r^2 log r in 2D
+  EXPECT_NEAR(energy_factor(Kernel::linear, 3), 8 * M_PI, 1e-12);  // bilaplacian of r in 3D, but for sign
+  EXPECT_NEAR(energy_factor(Kernel::cubic, 3), 96 * M_PI, 1e-11);  // trilaplacian of r^3 in 3D
+  EXPECT_NEAR(energy_factor(Kernel::cubic, 1), 12, 1e-12);  // fourth derivative of |x|^3: cubic splines
 }
 
 TEST(Fit, EnergyScalesAsTheIntegralDoes) {

@@ -18,9 +18,12 @@ struct Reference {
 Reference reference(Kernel kernel, long double r) {
   if (r == 0) return {0, 0, 0};
   switch (kernel) {
-    case Kernel::thin_plate_spline: return {r * r * std::log(r), 2 * std::log(r) + 1, 2 / (r * r)};
-    case Kernel::cubic: return {r * r * r, 3 * r, 3 / r};
-    case Kernel::linear: return {r, 1 / r, -1 / (r * r * r)};
+    case Kernel::thin_plate_spline:
+      return {r * r * std::log(r), 2 * std::log(r) + 1, 2 / (r * r)};
+    case Kernel::cubic:
+      return {r * r * r, 3 * r, 3 / r};
+    case Kernel::linear:
+      return {r, 1 / r, -1 / (r * r * r)};
   }
   return {};
 }
@@ -32,7 +35,9 @@ struct Arrays {
       : rows(static_cast<std::size_t>(count), std::vector<double>(static_cast<std::size_t>(size), fill)) {
     for (auto& row : rows) pointers.push_back(row.data());
   }
-  double& at(int row, std::int64_t i) { return rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(i)]; }
+  double& at(int row, std::int64_t i) {
+    return rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(i)];
+  }
 };
 
 class KernelSumsTest : public testing::TestWithParam<std::tuple<const char*, Kernel, int>> {
@@ -50,7 +55,8 @@ class KernelSumsTest : public testing::TestWithParam<std::tuple<const char*, Ker
 TEST_P(KernelSumsTest, AgreeWithTheDefinitionToRounding) {
   for (const std::int64_t n : {1, 2, 3, 63, 64, 65, 1001}) {
     const std::int64_t count = 53, padded = 56;
-    Arrays centers(dim, n), points(dim, padded), gradients(dim, padded), hessians(dim * (dim + 1) / 2, padded);
+    Arrays centers(dim, n), points(dim, padded), gradients(dim, padded),
+        hessians(dim * (dim + 1) / 2, padded);
     std::vector<double> weights, values(padded);
     for (std::int64_t j = 0; j < n; ++j) {
       weights.push_back(random.uniform(-1, 1) * std::pow(10.0, random.uniform(0, 6)));
@@ -85,9 +91,9 @@ TEST_P(KernelSumsTest, AgreeWithTheDefinitionToRounding) {
         g_size += std::abs(w * k.slope) * std::sqrt(s);
         h_size += std::abs(w) * (std::abs(k.slope) + std::abs(k.bend) * s);
       }
-      // A kernel's own value is good to some 5e-16; over many centers those errors cancel and the sum's own error,
-      // kept near 1e-16, is what remains. r^2 log r near r = 1 is small beside its parts, hence the sum of |w| r^2 in
-      // its allowance. A center on the point counts not 0 but at most 4e-19 of its weight.
+      // A kernel's own value is good to some 5e-16; over many centers those errors cancel and the sum's own
+      // error, kept near 1e-16, is what remains. r^2 log r near r = 1 is small beside its parts, hence the
+      // sum of |w| r^2 in its allowance. A center on the point counts not 0 but at most 4e-19 of its weight.
       const double share = n > 500 ? 2e-16 : 6e-16;
       const double allowance =
           4e-19 * 1e6 + (kernel == Kernel::thin_plate_spline ? 4e-16 * static_cast<double>(g_size) : 0.0);
@@ -135,7 +141,8 @@ TEST_P(KernelSumsTest, MatrixRowsAreTheKernel) {
       long double s = 0;
       for (int d = 0; d < dim; ++d) s += std::pow(static_cast<long double>(point[d] - centers.at(d, j)), 2);
       const double exact = static_cast<double>(reference(kernel, std::sqrt(s)).value);
-      EXPECT_NEAR(exact, values[static_cast<std::size_t>(j)], 4e-19 + 1e-15 * std::max(std::abs(exact), static_cast<double>(s)));
+      EXPECT_NEAR(exact, values[static_cast<std::size_t>(j)],
+                  4e-19 + 1e-15 * std::max(std::abs(exact), static_cast<double>(s)));
     }
   }
 }
