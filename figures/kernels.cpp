@@ -52,6 +52,8 @@ Figure kernels_figure(const FigureContext& context) {
     figure.checks.push_back(residual_check(name, scene->fitted.report));
     figure.checks.push_back(equal(name + ": curves", static_cast<double>(scene->curve.components), 1));
     figure.checks.push_back(equal(name + ": closed curves", static_cast<double>(scene->curve.closed), 1));
+    figure.checks.push_back(equal(name + ": boundary constraints on the curve",
+                                  static_cast<double>(scene->curve.seeds_on_curve), 7));
     double farthest = 0;  // of a boundary constraint from the curve
     for (Index i = 0; i < 7; ++i)
       farthest =

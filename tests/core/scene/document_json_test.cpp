@@ -205,7 +205,7 @@ TEST(DocumentJson, EqualMeansEverywhere) {
     EXPECT_TRUE(changed([&](Document<3>& d) { d.display.*each.member = !(d.display.*each.member); }));
   EXPECT_TRUE(changed([](Document<3>& d) { d.constraints.pop_back(); }));
   EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].highlight = false; }));
-  EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].highlight_normal = true; }));
+  EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].highlight_normal = false; }));
   EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].label = "x"; }));
   EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].extras.clear(); }));
   EXPECT_TRUE(changed([](Document<3>& d) { d.constraints[1].constraint.normal.reset(); }));
