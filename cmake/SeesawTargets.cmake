@@ -9,7 +9,7 @@ target_compile_options(seesaw_flags INTERFACE
   # Where a processor has fused multiply-add, only code that asks for it by name uses it: digits do not depend on flags.
   -ffp-contract=off)
 if(SEESAW_SANITIZE)
-  target_compile_options(seesaw_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
+  target_compile_options(seesaw_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(seesaw_flags INTERFACE -fsanitize=address,undefined)
 endif()
 

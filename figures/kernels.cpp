@@ -39,7 +39,7 @@ Figure kernels_figure(const FigureContext& context) {
   for (const ScenePointer& scene : scenes) {
     const std::string name(name_of(scene->document.kernel));
     PictureOptions options;
-    options.color_range = 1.5;
+    options.color_range = 2.5;
     Panel panel = scene_panel(scene, name, formula_of(scene->document.kernel), options);
     // What each function costs by the others' measure is not comparable; by its own, no other function is
     // cheaper.

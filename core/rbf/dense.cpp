@@ -1,6 +1,15 @@
 #include "core/rbf/dense.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 #if defined(SEESAW_HAS_LAPACK)
+#include <cblas.h>
 #include <lapacke.h>
 #else
 #include <Eigen/Cholesky>
@@ -8,103 +17,138 @@
 
 namespace seesaw::dense {
 
+Symmetric::Symmetric(Index n) : n_(n) {
+  constexpr std::size_t page = std::size_t{1} << 21;
+  const std::size_t bytes = sizeof(double) * static_cast<std::size_t>(std::max<Index>(n * n, 1));
+  const std::size_t rounded = (bytes + page - 1) / page * page;
+  const bool large = bytes >= page;
+  void* memory = large ? std::aligned_alloc(page, rounded) : std::malloc(bytes);
+  if (!memory) throw std::bad_alloc();
+#if defined(MADV_HUGEPAGE)
+  if (large) ::madvise(memory, rounded, MADV_HUGEPAGE);  // a wish: where it is refused, small pages do
+#endif
+  memory_.reset(static_cast<double*>(memory));
+}
+
+void Symmetric::Free::operator()(double* memory) const { std::free(memory); }
+
+double norm1(const Symmetric& a, Index first) {
+  const Index n = a.size() - first;
+  Values sums = Values::Zero(n);
+  for (Index j = 0; j < n; ++j) {
+    const Eigen::Map<const Values> column(a.data() + (first + j) * (a.size() + 1), n - j);
+    sums[j] += column.lpNorm<1>();
+    sums.tail(n - j - 1) += column.tail(n - j - 1).cwiseAbs();
+  }
+  return n > 0 ? sums.maxCoeff() : 0.0;
+}
+
 #if defined(SEESAW_HAS_LAPACK)
 
-// The _work variants: the others scan the whole matrix for NaN before they begin.
+namespace {
 
-double norm1(const double* lower, Index n, Index stride) {
-  if (n == 0) return 0.0;
-  Values work(n);
-  return LAPACKE_dlansy_work(LAPACK_COL_MAJOR, '1', 'L', static_cast<lapack_int>(n), lower,
-                             static_cast<lapack_int>(stride), work.data());
+int as_int(Index n) { return static_cast<int>(n); }
+
+}  // namespace
+
+Eigen::MatrixXd multiply(const Symmetric& a, const Eigen::MatrixXd& x) {
+  Eigen::MatrixXd y(x.rows(), x.cols());
+  const int n = as_int(a.size());
+  cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, n, as_int(x.cols()), 1.0, a.data(), n, x.data(), n, 0.0, y.data(),
+              n);
+  return y;
 }
 
-bool cholesky(double* lower, Index n, Index stride) {
-  return n == 0 || LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', static_cast<lapack_int>(n), lower,
-                                       static_cast<lapack_int>(stride)) == 0;
+void subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v) {
+  const int n = as_int(a.size());
+  cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, as_int(u.cols()), -1.0, u.data(), n, v.data(), n, 1.0,
+               a.data(), n);
 }
 
-void solve(const double* cholesky, Index n, Index stride, double* x) {
-  if (n == 0) return;
-  LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'L', static_cast<lapack_int>(n), 1, cholesky,
-                      static_cast<lapack_int>(stride), x, static_cast<lapack_int>(n));
+// Right-looking, in narrow panels: a small factorization, a triangular solve, and a symmetric product that does nearly
+// all the work. On AVX-512 processors OpenBLAS 0.3.21 takes a third longer over its own dpotrf.
+bool cholesky(Symmetric& a, Index first) {
+  constexpr Index width = 96;
+  const Index n = a.size();
+  for (Index j = first; j < n; j += width) {
+    const Index w = std::min(width, n - j), below = n - j - w;
+    double* diagonal = a.data() + j * (n + 1);
+    if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', as_int(w), diagonal, as_int(n)) != 0) return false;
+    if (below == 0) break;
+    cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, as_int(below), as_int(w), 1.0,
+                diagonal, as_int(n), diagonal + w, as_int(n));
+    cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, as_int(below), as_int(w), -1.0, diagonal + w, as_int(n), 1.0,
+                diagonal + w * (n + 1), as_int(n));
+  }
+  return true;
 }
 
-double reciprocal_condition(const double* cholesky, Index n, Index stride, double norm1) {
-  if (n == 0) return 1.0;
-  double result = 0;
-  Values work(3 * n);
-  Eigen::Matrix<lapack_int, Eigen::Dynamic, 1> integers(n);
-  LAPACKE_dpocon_work(LAPACK_COL_MAJOR, 'L', static_cast<lapack_int>(n), cholesky,
-                      static_cast<lapack_int>(stride), norm1, &result, work.data(), integers.data());
-  return result;
+// Panels that stay in the second-level cache while each column of x meets them.
+void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x) {
+  constexpr Index width = 32;
+  const Index n = a.size(), rows = n - first;
+  const int stride = as_int(n);
+  for (Index j = 0; j < rows; j += width) {
+    const Index w = std::min(width, rows - j), below = rows - j - w;
+    const double* diagonal = a.data() + (first + j) * (n + 1);
+    for (Index k = 0; k < x.cols(); ++k) {
+      double* y = x.col(k).data() + j;
+      cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, as_int(w), diagonal, stride, y, 1);
+      if (below > 0)
+        cblas_dgemv(CblasColMajor, CblasNoTrans, as_int(below), as_int(w), -1.0, diagonal + w, stride, y, 1, 1.0, y + w,
+                    1);
+    }
+  }
+  for (Index j = (rows - 1) / width * width; j >= 0; j -= width) {
+    const Index w = std::min(width, rows - j), below = rows - j - w;
+    const double* diagonal = a.data() + (first + j) * (n + 1);
+    for (Index k = 0; k < x.cols(); ++k) {
+      double* y = x.col(k).data() + j;
+      if (below > 0)
+        cblas_dgemv(CblasColMajor, CblasTrans, as_int(below), as_int(w), -1.0, diagonal + w, stride, y + w, 1, 1.0, y,
+                    1);
+      cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, as_int(w), diagonal, stride, y, 1);
+    }
+  }
 }
 
-const char* name() { return "LAPACK"; }
+const char* name() { return "BLAS"; }
 
 #else
 
 namespace {
 
-using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<> >;
-using ConstMap = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<> >;
+using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+using ConstMap = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
-// A = L L' given L, with the three members that Eigen's condition estimator asks of a factorization.
-struct Factored {
-  ConstMap l;
-  Index rows() const { return l.rows(); }
-  const Factored& adjoint() const { return *this; }
-  Values solve(const Values& b) const {
-    Values x = l.triangularView<Eigen::Lower>().solve(b);
-    l.transpose().triangularView<Eigen::Upper>().solveInPlace(x);
-    return x;
-  }
-};
-
-// Hager's estimate of |A^-1|_1 as Higham gives it (ACM TOMS 14(4), 1988, algorithm 4.1).
-double inverse_norm1(const Factored& a) {
-  const Index n = a.rows();
-  Values x = Values::Constant(n, 1.0 / static_cast<double>(n));
-  double estimate = 0;
-  Index last = -1;
-  for (int step = 0; step < 5; ++step) {
-    const Values y = a.solve(x);
-    estimate = std::max(estimate, y.lpNorm<1>());
-    const Values z = a.solve((y.array() < 0).select(Values::Constant(n, -1.0), Values::Constant(n, 1.0)));
-    Index largest = 0;
-    const double top = z.cwiseAbs().maxCoeff(&largest);
-    if (largest == last || top <= z.dot(x)) break;
-    x = Values::Unit(n, last = largest);
-  }
-  return estimate;
+Map block(Symmetric& a, Index first) {
+  const Index n = a.size() - first;
+  return Map(a.data() + first * (a.size() + 1), n, n, Eigen::OuterStride<>(a.size()));
+}
+ConstMap block(const Symmetric& a, Index first) {
+  const Index n = a.size() - first;
+  return ConstMap(a.data() + first * (a.size() + 1), n, n, Eigen::OuterStride<>(a.size()));
 }
 
 }  // namespace
 
-double norm1(const double* lower, Index n, Index stride) {
-  const ConstMap a(lower, n, n, Eigen::OuterStride<>(stride));
-  Values sums = Values::Zero(n);
-  for (Index j = 0; j < n; ++j) {
-    sums[j] += a.col(j).tail(n - j).lpNorm<1>();
-    sums.tail(n - j - 1) += a.col(j).tail(n - j - 1).cwiseAbs();
-  }
-  return n == 0 ? 0.0 : sums.maxCoeff();
+Eigen::MatrixXd multiply(const Symmetric& a, const Eigen::MatrixXd& x) {
+  return block(a, 0).selfadjointView<Eigen::Lower>() * x;
 }
 
-bool cholesky(double* lower, Index n, Index stride) {
-  Map a(lower, n, n, Eigen::OuterStride<>(stride));
-  return Eigen::LLT<Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<> > >(a).info() == Eigen::Success;
+void subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v) {
+  for (Index k = 0; k < u.cols(); ++k) block(a, 0).selfadjointView<Eigen::Lower>().rankUpdate(u.col(k), v.col(k), -1.0);
 }
 
-void solve(const double* cholesky, Index n, Index stride, double* x) {
-  Eigen::Map<Values> unknowns(x, n);
-  unknowns = Factored{ConstMap(cholesky, n, n, Eigen::OuterStride<>(stride))}.solve(unknowns);
+bool cholesky(Symmetric& a, Index first) {
+  Map matrix = block(a, first);
+  return Eigen::LLT<Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>>(matrix).info() == Eigen::Success;
 }
 
-double reciprocal_condition(const double* cholesky, Index n, Index stride, double norm1) {
-  if (n == 0) return 1.0;
-  const double inverse = inverse_norm1({ConstMap(cholesky, n, n, Eigen::OuterStride<>(stride))});
-  return 1.0 / (norm1 * inverse);
+void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x) {
+  const ConstMap l = block(a, first);
+  l.triangularView<Eigen::Lower>().solveInPlace(x);
+  l.transpose().triangularView<Eigen::Upper>().solveInPlace(x);
 }
 
 const char* name() { return "Eigen"; }

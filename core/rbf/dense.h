@@ -1,27 +1,55 @@
-// The four steps of dense linear algebra that a fit needs, by LAPACK where it is installed, by Eigen where it
-// is not. LAPACK's library picks the processor's instructions at run time; what we compile ourselves may not.
+// The dense linear algebra that a fit needs, on BLAS and LAPACK where they are installed, on Eigen where they are not.
+// Those libraries pick the processor's instructions at run time; what we compile ourselves may not.
 //
-// Matrices are column-major with their lower triangle stored, n x n inside a larger one of `stride` rows.
+// A symmetric matrix is its lower triangle, column by column.
 #pragma once
+
+#include <memory>
 
 #include "core/base/types.h"
 
 namespace seesaw::dense {
 
-/// The largest absolute column sum of the symmetric matrix.
-double norm1(const double* lower, Index n, Index stride);
+/// A square matrix of which only the lower triangle means anything; not initialized. n^2 doubles, in large pages where
+/// the system has them: a new matrix of 100 MB otherwise costs 25,000 page faults, a tenth of its factorization.
+class Symmetric {
+ public:
+  explicit Symmetric(Index n);
 
-/// Overwrites the lower triangle of A with L, A = L L'. False where A is not positive definite (to rounding).
-/// About n^3 / 3 multiplications.
-bool cholesky(double* lower, Index n, Index stride);
+  Index size() const { return n_; }
+  /// Entry (i, j) is `data()[i + j * size()]`, i >= j.
+  double* data() { return memory_.get(); }
+  const double* data() const { return memory_.get(); }
+  /// Rows i .. n - 1 of column j.
+  Eigen::Map<Values> column_from(Index i, Index j) { return {data() + i + j * n_, n_ - i}; }
 
-/// x := A^-1 x, given L. 2 n^2 multiplications.
-void solve(const double* cholesky, Index n, Index stride, double* x);
+ private:
+  struct Free {
+    void operator()(double* memory) const;
+  };
+  Index n_;
+  std::unique_ptr<double[], Free> memory_;
+};
 
-/// An estimate of 1 / (|A|_1 |A^-1|_1), given L and |A|_1 (Higham 1988); about ten solves. 1 for n = 0.
-double reciprocal_condition(const double* cholesky, Index n, Index stride, double norm1);
+/// A X, of A n x n and X n x m with small m.
+Eigen::MatrixXd multiply(const Symmetric& a, const Eigen::MatrixXd& x);
 
-/// "LAPACK" or "Eigen".
+/// A := A - U V' - V U', U and V n x m with small m.
+void subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v);
+
+// The following look at the trailing block of A: rows and columns `first` .. n - 1, n - first of them.
+
+/// The largest absolute column sum.
+double norm1(const Symmetric& a, Index first);
+
+/// Overwrites the block with L, block = L L'. False where it is not positive definite (to rounding). About
+/// (n - first)^3 / 3 multiplications.
+bool cholesky(Symmetric& a, Index first);
+
+/// x := block^-1 x for each column of x, (n - first) x m, given L. The matrix is read once however many columns.
+void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x);
+
+/// "BLAS" or "Eigen".
 const char* name();
 
 }  // namespace seesaw::dense

@@ -24,6 +24,8 @@
 #pragma once
 
 #include "core/base/types.h"
+#include "core/rbf/dense.h"
+#include "core/rbf/inverse_norm.h"
 #include "core/rbf/kernel.h"
 
 namespace seesaw {
@@ -46,15 +48,18 @@ class Factorization {
   bool positive_definite() const { return positive_definite_; }
   /// Dim + 1 for centers in general position, less for centers on one line or plane.
   Index polynomial_rank() const { return rank_; }
-  /// Of s Q2' (Phi + s lambda I) Q2 in the 1-norm, estimated; some ten solves.
-  double reciprocal_condition() const;
 
-  /// Weights and polynomial for values h (N). Needs positive_definite(). 2 N^2 multiplications.
-  Solution solve(const Eigen::Ref<const Values>& values) const;
+  /// Weights and polynomial for values h (N). Needs positive_definite(). 2 N^2 multiplications. Not const: the first
+  /// calls also carry the condition's estimate forward.
+  Solution solve(const Eigen::Ref<const Values>& values);
+  /// Of s Q2' (Phi + s lambda I) Q2 in the 1-norm, estimated; three solves, less those that rode along above.
+  double reciprocal_condition();
 
  private:
   using Skinny = Eigen::MatrixXd;  // N x rank
 
+  // matrix_ := s Phi + lambda I, lower triangle.
+  void fill(const PointsRef<Dim>& centers, Kernel kernel, double smoothing);
   Values apply_q(Values x) const;             // Q x
   Values apply_q_transposed(Values x) const;  // Q' x
 
@@ -65,7 +70,8 @@ class Factorization {
   Skinny reflectors_;           // V: Q = I - V T V'
   Eigen::MatrixXd triangle_;    // T
   Eigen::MatrixXd polynomial_;  // rank x (Dim + 1), takes Q1' (h - Phi w) to p
-  Eigen::MatrixXd matrix_;      // lower triangle of s Q' Phi Q; its trailing block factored in place
+  dense::Symmetric matrix_;      // s Q' Phi Q; its trailing block factored in place
+  InverseNorm estimate_{0};      // of that block's inverse
 };
 
 extern template class Factorization<2>;
