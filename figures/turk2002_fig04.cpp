@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "figures/scene_panel.h"
+#include "figures/signs.h"
 
 namespace seesaw {
 
@@ -102,6 +102,7 @@ Figure turk2002_fig04(const FigureContext& context) {
     } else {
       figure.checks.push_back(at_least("right: inflections", inflections(curve), 2));
     }
+    add_signs(measure_signs(*scene), panel, figure);
     figure.panels.push_back(std::move(panel));
   }
   figure.caption =

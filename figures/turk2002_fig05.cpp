@@ -1,7 +1,7 @@
 // Turk & O'Brien 2002, Figure 5: moving one normal constraint bends the curve there, and hardly elsewhere.
 #include <cmath>
 
-#include "figures/scene_panel.h"
+#include "figures/signs.h"
 
 namespace seesaw {
 
@@ -49,6 +49,7 @@ Figure turk2002_fig05(const FigureContext& context) {
     figure.checks.push_back(equal(name + ": curves", static_cast<double>(scene.curve.components), 1));
     figure.checks.push_back(
         at_most(name + ": unmoved normals off by degrees, at most", most, side == 0 ? 1 : 3));
+    add_signs(measure_signs(scene), panel, figure);
     figure.panels.push_back(std::move(panel));
   }
 

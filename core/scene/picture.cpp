@@ -109,13 +109,16 @@ DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>
     if (display.field) draw_field_colors(canvas, view, sampled, range);
     if (!display.field && options.tint_inside) tint_inside(canvas, view, curve.polylines);
     if (display.grid) draw_grid(canvas, view);
-    if (display.isolines)
+    if (display.isolines) {
+      std::vector<Polyline> drawn = curve.polylines;
+      drawn.insert(drawn.end(), options.ghosts.begin(), options.ghosts.end());
       draw_isolines(canvas, view, field, sampled,
                     {.range = range,
                      .on_colors = display.field,
                      .text_size = options.text_size,
                      .symbols = symbol_places(view, document),
-                     .curves = curve.polylines});
+                     .curves = std::move(drawn)});
+    }
   } else {
     if (options.tint_inside) tint_inside(canvas, view, curve.polylines);
     if (display.grid) draw_grid(canvas, view);
