@@ -1,0 +1,104 @@
+// The dense algebra beneath a fit, against Eigen's own; and the condition estimate against the true inverse.
+#include "core/rbf/dense.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "core/base/random.h"
+#include "core/rbf/inverse_norm.h"
+
+namespace seesaw {
+namespace {
+
+Eigen::MatrixXd random_matrix(Index rows, Index columns, Random& random) {
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.uniform(-1, 1); });
+}
+
+// A symmetric matrix in our storage; what stands above its diagonal must never be read.
+dense::Symmetric stored(const Eigen::MatrixXd& matrix) {
+  const Index n = matrix.rows();
+  dense::Symmetric result(n);
+  Eigen::Map<Eigen::MatrixXd> all(result.data(), n, n);
+  all.setConstant(std::nan(""));
+  all.triangularView<Eigen::Lower>() = matrix;
+  return result;
+}
+
+class DenseTest : public testing::TestWithParam<std::tuple<Index, Index>> {
+ protected:
+  Index n = std::get<0>(GetParam()), first = std::min(std::get<1>(GetParam()), std::get<0>(GetParam()));
+  Random random{5};
+};
+
+TEST_P(DenseTest, ProductsUpdatesAndNorms) {
+  const Eigen::MatrixXd half = random_matrix(n, n, random), a = half + half.transpose();
+  const Eigen::MatrixXd x = random_matrix(n, 4, random), y = random_matrix(n, 4, random);
+  dense::Symmetric s = stored(a);
+  EXPECT_LE((dense::multiply(s, x) - a * x).norm(), 1e-13 * static_cast<double>(n));
+  dense::subtract_products(s, x, y);
+  const Eigen::MatrixXd b = a - x * y.transpose() - y * x.transpose();
+  for (Index j = 0; j < n; ++j)
+    EXPECT_LE((Values(s.column_from(j, j)) - b.col(j).tail(n - j)).norm(), 1e-13 * static_cast<double>(n));
+  const Index rest = n - first;
+  const double expected =
+      rest > 0 ? b.bottomRightCorner(rest, rest).cwiseAbs().colwise().sum().maxCoeff() : 0.0;
+  EXPECT_NEAR(dense::norm1(s, first), expected, 1e-12 * static_cast<double>(n));
+}
+
+TEST_P(DenseTest, CholeskySolvesTheTrailingBlock) {
+  const Eigen::MatrixXd root = random_matrix(n, n, random);
+  const Eigen::MatrixXd a = root * root.transpose() + Eigen::MatrixXd::Identity(n, n);
+  const Index rest = n - first;
+  dense::Symmetric s = stored(a);
+  ASSERT_TRUE(dense::cholesky(s, first));
+  const Eigen::MatrixXd block = a.bottomRightCorner(rest, rest), b = random_matrix(rest, 3, random);
+  Eigen::MatrixXd x = b;
+  dense::solve(s, first, x);
+  EXPECT_LE((block * x - b).norm(), 1e-11 * static_cast<double>(n));
+  // Rows and columns before the block are left as they were.
+  for (Index j = 0; j < first; ++j) EXPECT_EQ(Values(s.column_from(j, j)), Values(a.col(j).tail(n - j)));
+}
+
+TEST_P(DenseTest, CholeskyRefusesWhatIsNotPositiveDefinite) {
+  const Index rest = n - first;
+  if (rest == 0) return;
+  Eigen::MatrixXd a = Eigen::MatrixXd::Identity(n, n);
+  a(n - 1, n - 1) = -1e-3;
+  dense::Symmetric s = stored(a);
+  EXPECT_FALSE(dense::cholesky(s, first));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, DenseTest,
+                         testing::Combine(testing::Values<Index>(1, 2, 5, 31, 32, 96, 97, 250, 600),
+                                          testing::Values<Index>(0, 3, 5)));
+
+TEST(InverseNorm, NeverAboveAndRarelyFarBelowTheTruth) {
+  Random random(6);
+  int exact = 0;
+  const int trials = 200;
+  for (int trial = 0; trial < trials; ++trial) {
+    const Index n = 1 + random.index(30);
+    const Eigen::MatrixXd root = random_matrix(n, n, random);
+    const Eigen::MatrixXd inverse =
+        (root * root.transpose() + 1e-6 * Eigen::MatrixXd::Identity(n, n)).inverse();
+    InverseNorm estimate(n);
+    int solves = 0;
+    while (estimate.wants_solve()) {
+      estimate.take(inverse * estimate.next());
+      ++solves;
+    }
+    EXPECT_LE(solves, 3);
+    const double truth = inverse.cwiseAbs().colwise().sum().maxCoeff();
+    EXPECT_LE(estimate.value(), truth * (1 + 1e-12));
+    EXPECT_GE(estimate.value(), truth / 3);
+    exact += estimate.value() > truth * (1 - 1e-9);
+  }
+  EXPECT_GT(exact, trials / 2);
+}
+
+TEST(InverseNorm, NothingToEstimate) { EXPECT_FALSE(InverseNorm(0).wants_solve()); }
+
+}  // namespace
+}  // namespace seesaw
