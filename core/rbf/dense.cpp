@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <mutex>
 #include <new>
 
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
+
+#include "core/base/parallel.h"
 
 #if defined(SEESAW_HAS_LAPACK)
 #include <cblas.h>
@@ -45,46 +48,111 @@ double norm1(const Symmetric& a, Index first) {
 
 #if defined(SEESAW_HAS_LAPACK)
 
+extern "C" {  // where BLAS is OpenBLAS; other libraries may lack them
+void openblas_set_num_threads(int) __attribute__((weak));
+int openblas_get_num_threads(void) __attribute__((weak));
+}
+
 namespace {
 
 int as_int(Index n) { return static_cast<int>(n); }
 
+// While one lives, BLAS works in the calling thread alone. How it cuts work for several threads decides the
+// last digits of its results, and ours are to be the same whatever the number of threads; so the cutting is
+// ours.
+class OneThread {
+ public:
+  OneThread() {
+    const std::scoped_lock lock(mutex_);
+    if (users_++ == 0 && openblas_set_num_threads && openblas_get_num_threads) {
+      before_ = openblas_get_num_threads();
+      openblas_set_num_threads(1);
+    }
+  }
+  ~OneThread() {
+    const std::scoped_lock lock(mutex_);
+    if (--users_ == 0 && openblas_set_num_threads && openblas_get_num_threads)
+      openblas_set_num_threads(before_);
+  }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  static inline std::mutex mutex_;
+  static inline int users_ = 0, before_ = 1;
+};
+
+// Calls work(begin, count) for 0 .. n - 1 cut into pieces of `size`, in parallel: the same pieces whatever
+// the threads.
+template <class Work>
+void for_pieces(Index n, Index size, const Work& work) {
+  parallel_blocks((n + size - 1) / size, 1, [&](Index begin, Index end) {
+    for (Index piece = begin; piece < end; ++piece) work(piece * size, std::min(size, n - piece * size));
+  });
+}
+
+constexpr Index strip = 160;  // columns or rows in a piece
+
 }  // namespace
 
 Eigen::MatrixXd multiply(const Symmetric& a, const Eigen::MatrixXd& x) {
+  const OneThread alone;
   Eigen::MatrixXd y(x.rows(), x.cols());
   const int n = as_int(a.size());
-  cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, n, as_int(x.cols()), 1.0, a.data(), n, x.data(), n, 0.0, y.data(),
-              n);
+  cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, n, as_int(x.cols()), 1.0, a.data(), n, x.data(), n, 0.0,
+              y.data(), n);
   return y;
 }
 
 void subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v) {
-  const int n = as_int(a.size());
-  cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, as_int(u.cols()), -1.0, u.data(), n, v.data(), n, 1.0,
-               a.data(), n);
+  const OneThread alone;
+  const Index n = a.size();
+  const int stride = as_int(n), width = as_int(u.cols());
+  for_pieces(n, strip, [&](Index j, Index w) {
+    double* corner = a.data() + j * (n + 1);
+    cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, as_int(w), width, -1.0, u.data() + j, stride,
+                 v.data() + j, stride, 1.0, corner, stride);
+    const Index below = n - j - w;
+    if (below == 0) return;
+    for (const auto& [left, right] : {std::pair{&u, &v}, std::pair{&v, &u}})
+      cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, as_int(below), as_int(w), width, -1.0,
+                  left->data() + j + w, stride, right->data() + j, stride, 1.0, corner + w, stride);
+  });
 }
 
-// Right-looking, in narrow panels: a small factorization, a triangular solve, and a symmetric product that does nearly
-// all the work. On AVX-512 processors OpenBLAS 0.3.21 takes a third longer over its own dpotrf.
+// Right-looking, in narrow panels: a small factorization, a triangular solve, and products that do nearly all
+// the work. (On AVX-512 processors OpenBLAS 0.3.21 takes a third longer over its own dpotrf.)
 bool cholesky(Symmetric& a, Index first) {
+  const OneThread alone;
   constexpr Index width = 96;
   const Index n = a.size();
+  const int stride = as_int(n);
   for (Index j = first; j < n; j += width) {
     const Index w = std::min(width, n - j), below = n - j - w;
     double* diagonal = a.data() + j * (n + 1);
-    if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', as_int(w), diagonal, as_int(n)) != 0) return false;
-    if (below == 0) break;
-    cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, as_int(below), as_int(w), 1.0,
-                diagonal, as_int(n), diagonal + w, as_int(n));
-    cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, as_int(below), as_int(w), -1.0, diagonal + w, as_int(n), 1.0,
-                diagonal + w * (n + 1), as_int(n));
+    if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', as_int(w), diagonal, stride) != 0) return false;
+    double* panel = diagonal + w;           // below x w
+    double* rest = diagonal + w * (n + 1);  // below x below
+    for_pieces(below, strip, [&](Index i, Index rows) {
+      cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, as_int(rows), as_int(w),
+                  1.0, diagonal, stride, panel + i, stride);
+    });
+    for_pieces(below, strip, [&](Index k, Index columns) {
+      double* corner = rest + k * (n + 1);
+      cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, as_int(columns), as_int(w), -1.0, panel + k,
+                  stride, 1.0, corner, stride);
+      const Index rows = below - k - columns;
+      if (rows > 0)
+        cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, as_int(rows), as_int(columns), as_int(w), -1.0,
+                    panel + k + columns, stride, panel + k, stride, 1.0, corner + columns, stride);
+    });
   }
   return true;
 }
 
 // Panels that stay in the second-level cache while each column of x meets them.
 void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x) {
+  const OneThread alone;
   constexpr Index width = 32;
   const Index n = a.size(), rows = n - first;
   const int stride = as_int(n);
@@ -95,8 +163,8 @@ void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x) {
       double* y = x.col(k).data() + j;
       cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, as_int(w), diagonal, stride, y, 1);
       if (below > 0)
-        cblas_dgemv(CblasColMajor, CblasNoTrans, as_int(below), as_int(w), -1.0, diagonal + w, stride, y, 1, 1.0, y + w,
-                    1);
+        cblas_dgemv(CblasColMajor, CblasNoTrans, as_int(below), as_int(w), -1.0, diagonal + w, stride, y, 1,
+                    1.0, y + w, 1);
     }
   }
   for (Index j = (rows - 1) / width * width; j >= 0; j -= width) {
@@ -105,8 +173,8 @@ void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x) {
     for (Index k = 0; k < x.cols(); ++k) {
       double* y = x.col(k).data() + j;
       if (below > 0)
-        cblas_dgemv(CblasColMajor, CblasTrans, as_int(below), as_int(w), -1.0, diagonal + w, stride, y + w, 1, 1.0, y,
-                    1);
+        cblas_dgemv(CblasColMajor, CblasTrans, as_int(below), as_int(w), -1.0, diagonal + w, stride, y + w, 1,
+                    1.0, y, 1);
       cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, as_int(w), diagonal, stride, y, 1);
     }
   }
@@ -118,8 +186,8 @@ const char* name() { return "BLAS"; }
 
 namespace {
 
-using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-using ConstMap = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<> >;
+using ConstMap = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<> >;
 
 Map block(Symmetric& a, Index first) {
   const Index n = a.size() - first;
@@ -137,12 +205,13 @@ Eigen::MatrixXd multiply(const Symmetric& a, const Eigen::MatrixXd& x) {
 }
 
 void subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v) {
-  for (Index k = 0; k < u.cols(); ++k) block(a, 0).selfadjointView<Eigen::Lower>().rankUpdate(u.col(k), v.col(k), -1.0);
+  for (Index k = 0; k < u.cols(); ++k)
+    block(a, 0).selfadjointView<Eigen::Lower>().rankUpdate(u.col(k), v.col(k), -1.0);
 }
 
 bool cholesky(Symmetric& a, Index first) {
   Map matrix = block(a, first);
-  return Eigen::LLT<Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>>(matrix).info() == Eigen::Success;
+  return Eigen::LLT<Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<> > >(matrix).info() == Eigen::Success;
 }
 
 void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x) {
