@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <mutex>
 #include <new>
+#include <vector>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -35,15 +36,46 @@ Symmetric::Symmetric(Index n) : n_(n) {
 
 void Symmetric::Free::operator()(double* memory) const { std::free(memory); }
 
+namespace {
+
+constexpr Index strip = 256;  // columns or rows in a piece
+
+// Calls work(begin, count) for 0 .. n - 1 cut into pieces, in parallel: the same pieces whatever the threads.
+template <class Work>
+void for_pieces(Index n, const Work& work) {
+  parallel_blocks((n + strip - 1) / strip, 1, [&](Index begin, Index end) {
+    for (Index piece = begin; piece < end; ++piece) work(piece * strip, std::min(strip, n - piece * strip));
+  });
+}
+
+// The sum of what every piece has to add: work(begin, count) returns rows begin .. n - 1. Added up in one
+// order.
+template <class Work>
+Eigen::MatrixXd sum_of_pieces(Index n, Index columns, const Work& work) {
+  std::vector<Eigen::MatrixXd> parts(static_cast<std::size_t>((n + strip - 1) / strip));
+  for_pieces(n, [&](Index begin, Index count) {
+    parts[static_cast<std::size_t>(begin / strip)] = work(begin, count);
+  });
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, columns);
+  for (const Eigen::MatrixXd& part : parts) sum.bottomRows(part.rows()) += part;
+  return sum;
+}
+
+}  // namespace
+
 double norm1(const Symmetric& a, Index first) {
   const Index n = a.size() - first;
-  Values sums = Values::Zero(n);
-  for (Index j = 0; j < n; ++j) {
-    const Eigen::Map<const Values> column(a.data() + (first + j) * (a.size() + 1), n - j);
-    sums[j] += column.lpNorm<1>();
-    sums.tail(n - j - 1) += column.tail(n - j - 1).cwiseAbs();
-  }
-  return n > 0 ? sums.maxCoeff() : 0.0;
+  if (n == 0) return 0.0;
+  const auto column_sums = [&](Index begin, Index count) -> Eigen::MatrixXd {
+    Values sums = Values::Zero(n - begin);
+    for (Index j = begin; j < begin + count; ++j) {
+      const Eigen::Map<const Values> column(a.data() + (first + j) * (a.size() + 1), n - j);
+      sums[j - begin] += column.lpNorm<1>();
+      sums.tail(n - j - 1) += column.tail(n - j - 1).cwiseAbs();
+    }
+    return sums;
+  };
+  return sum_of_pieces(n, 1, column_sums).maxCoeff();
 }
 
 #if defined(SEESAW_HAS_LAPACK)
@@ -82,33 +114,43 @@ class OneThread {
   static inline int users_ = 0, before_ = 1;
 };
 
-// Calls work(begin, count) for 0 .. n - 1 cut into pieces of `size`, in parallel: the same pieces whatever
-// the threads.
-template <class Work>
-void for_pieces(Index n, Index size, const Work& work) {
-  parallel_blocks((n + size - 1) / size, 1, [&](Index begin, Index end) {
-    for (Index piece = begin; piece < end; ++piece) work(piece * size, std::min(size, n - piece * size));
-  });
-}
-
-constexpr Index strip = 160;  // columns or rows in a piece
-
 }  // namespace
 
 Eigen::MatrixXd multiply(const Symmetric& a, const Eigen::MatrixXd& x) {
   const OneThread alone;
-  Eigen::MatrixXd y(x.rows(), x.cols());
-  const int n = as_int(a.size());
-  cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, n, as_int(x.cols()), 1.0, a.data(), n, x.data(), n, 0.0,
-              y.data(), n);
-  return y;
+  const Index n = a.size(), m = x.cols();
+  const int stride = as_int(n);
+  // A strip of columns, its diagonal block and what lies below, counts as itself and as its mirror image.
+  return sum_of_pieces(n, m, [&](Index j, Index w) {
+    const double* corner = a.data() + j * (n + 1);
+    const Index rows = n - j, below = rows - w;
+    Eigen::MatrixXd y(rows, m);
+    for (Index k = 0; k < m; ++k) {
+      const double* x_here = x.col(k).data() + j;
+      double* y_here = y.col(k).data();
+      cblas_dsymv(CblasColMajor, CblasLower, as_int(w), 1.0, corner, stride, x_here, 1, 0.0, y_here, 1);
+    }
+    // In narrower panels, which stay in the cache while every column of x meets them.
+    y.bottomRows(below).setZero();
+    constexpr Index panel = 32;
+    for (Index c = 0; c < w && below > 0; c += panel)
+      for (Index k = 0; k < m; ++k) {
+        const double* matrix = corner + w + c * n;
+        const int width = as_int(std::min(panel, w - c));
+        cblas_dgemv(CblasColMajor, CblasNoTrans, as_int(below), width, 1.0, matrix, stride,
+                    x.col(k).data() + j + c, 1, 1.0, y.col(k).data() + w, 1);
+        cblas_dgemv(CblasColMajor, CblasTrans, as_int(below), width, 1.0, matrix, stride,
+                    x.col(k).data() + j + w, 1, 1.0, y.col(k).data() + c, 1);
+      }
+    return y;
+  });
 }
 
 void subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v) {
   const OneThread alone;
   const Index n = a.size();
   const int stride = as_int(n), width = as_int(u.cols());
-  for_pieces(n, strip, [&](Index j, Index w) {
+  for_pieces(n, [&](Index j, Index w) {
     double* corner = a.data() + j * (n + 1);
     cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, as_int(w), width, -1.0, u.data() + j, stride,
                  v.data() + j, stride, 1.0, corner, stride);
@@ -133,11 +175,11 @@ bool cholesky(Symmetric& a, Index first) {
     if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', as_int(w), diagonal, stride) != 0) return false;
     double* panel = diagonal + w;           // below x w
     double* rest = diagonal + w * (n + 1);  // below x below
-    for_pieces(below, strip, [&](Index i, Index rows) {
+    for_pieces(below, [&](Index i, Index rows) {
       cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, as_int(rows), as_int(w),
                   1.0, diagonal, stride, panel + i, stride);
     });
-    for_pieces(below, strip, [&](Index k, Index columns) {
+    for_pieces(below, [&](Index k, Index columns) {
       double* corner = rest + k * (n + 1);
       cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, as_int(columns), as_int(w), -1.0, panel + k,
                   stride, 1.0, corner, stride);

@@ -3,6 +3,8 @@
 
 #include "core/base/random.h"
 #include "core/rbf/constraints.h"
+#include "core/rbf/energy.h"
+#include "core/rbf/interpolant.h"
 
 namespace seesaw {
 
@@ -38,5 +40,12 @@ struct ScatteredData {
     for (Index i = 0; i < n; ++i) values[i] = random.uniform(-1, 1);
   }
 };
+
+/// What rounding leaves of f(c) = h: the sum's terms are exact to some 1e-16 of their size.
+template <int Dim>
+double rounding_of(const Interpolant<Dim>& f) {
+  const double reach = 2 * std::sqrt(static_cast<double>(Dim));
+  return 1e-15 + 4e-16 * f.normalized_weights().cwiseAbs().sum() * std::pow(reach, growth_of(f.kernel()));
+}
 
 }  // namespace seesaw
