@@ -89,6 +89,8 @@ Figure seesaw_figure(const FigureContext& context) {
       line.col(i) = projection.pixel_from_scene({p.x(), p.y(), f->function().value(p)});
     }
     canvas.polyline(line, {.color = theme::moved, .width = 1.6});
+    draw_symbol(canvas, Symbol::circle, projection.pixel_from_scene({pivot.x(), pivot.y(), 0}), 8,
+                theme::moved);
   };
   plate.facts = fit_facts(shown.fitted.report);
   add_curve_facts(plate.facts, shown.curve);
