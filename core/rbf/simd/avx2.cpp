@@ -23,7 +23,7 @@ alignas(32) constexpr unsigned log_lower_words[8] = {
 struct Lanes {
   using Batch = xsimd::batch<double, xsimd::fma3<xsimd::avx2>>;
   // Square roots start in single precision, which holds numbers in this range only.
-  static constexpr double smallest = 1e-37, largest = 1e37;
+  static constexpr double smallest = 1e-37;
   static constexpr int value_registers = 3, gradient_registers = 2;
   struct Root {
     Batch root, inverse;

@@ -27,7 +27,7 @@ alignas(64) constexpr double log_table[16] = {
 
 struct Lanes {
   using Batch = xsimd::batch<double, xsimd::avx512f>;
-  static constexpr double smallest = 1e-300, largest = 1e300;
+  static constexpr double smallest = 1e-300;
   static constexpr int value_registers = 4, gradient_registers = 2;
   struct Root {
     Batch root, inverse;

@@ -8,7 +8,7 @@ namespace {
 
 struct Lanes {
   using Batch = xsimd::batch<double, xsimd::default_arch>;
-  static constexpr double smallest = 1e-300, largest = 1e300;
+  static constexpr double smallest = 1e-300;
   static constexpr int value_registers = 2, gradient_registers = 1;
   struct Root {
     Batch root, inverse;
