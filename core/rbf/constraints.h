@@ -8,10 +8,10 @@
 //   boundary   f = 0 here (4.1); with an optional normal constraint (4.3)
 //   interior   f = a positive value here (4.1); the papers use 1
 //   exterior   f = a negative value here (4.2); the papers use -1
-//   normal     belongs to a boundary constraint at c with outward unit normal n: f = value at c - offset * n,
-//   a
-//              little inside (4.3). The papers ask only that the value be positive, and place them 0.01 units
-//              from their boundary constraints "for objects that fit within a unit cube".
+//   normal     belongs to a boundary constraint at c with outward unit normal n: f = value at
+//              c - offset * n, a little inside (4.3). The papers ask only that the value be positive, and
+//              place them 0.01 units from their boundary constraints "for objects that fit within a unit
+//              cube".
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// The dense linear algebra that a fit needs, on BLAS and LAPACK where they are installed, on Eigen where they are not.
-// Those libraries pick the processor's instructions at run time; what we compile ourselves may not.
+// The dense linear algebra that a fit needs, on BLAS and LAPACK where they are installed, on Eigen where they
+// are not. Those libraries pick the processor's instructions at run time; what we compile ourselves may not.
 //
 // A symmetric matrix is its lower triangle, column by column.
 #pragma once
@@ -10,8 +10,9 @@
 
 namespace seesaw::dense {
 
-/// A square matrix of which only the lower triangle means anything; not initialized. n^2 doubles, in large pages where
-/// the system has them: a new matrix of 100 MB otherwise costs 25,000 page faults, a tenth of its factorization.
+/// A square matrix of which only the lower triangle means anything; not initialized. n^2 doubles, in large
+/// pages where the system has them: a new matrix of 100 MB otherwise costs 25,000 page faults, a tenth of its
+/// factorization.
 class Symmetric {
  public:
   explicit Symmetric(Index n);
@@ -46,7 +47,8 @@ double norm1(const Symmetric& a, Index first);
 /// (n - first)^3 / 3 multiplications.
 bool cholesky(Symmetric& a, Index first);
 
-/// x := block^-1 x for each column of x, (n - first) x m, given L. The matrix is read once however many columns.
+/// x := block^-1 x for each column of x, (n - first) x m, given L. The matrix is read once however many
+/// columns.
 void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x);
 
 /// "BLAS" or "Eigen".

@@ -79,8 +79,8 @@ Fit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport report) {
   if (options.condition) report.reciprocal_condition = factorization.reciprocal_condition();
   // s w' Phi w = s w' (f - P p) = s w' f at the centers, since P' w = 0: nothing needs to be evaluated again.
   const double sign = report.kernel == Kernel::linear ? -1.0 : 1.0;
-  report.energy =
-      std::max(0.0, sign * energy_factor(report.kernel, Dim) * function.weights().dot(rows.values - residual));
+  report.energy = std::max(
+      0.0, sign * energy_factor(report.kernel, Dim) * function.weights().dot(rows.values - residual));
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return {std::move(function), report};
 }

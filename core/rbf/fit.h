@@ -3,8 +3,7 @@
 // Before it: a list of constraints (core/rbf/constraints.h).  After it: an Interpolant, ready to draw.
 //
 //     Constraints<2> shape = {boundary<2>({-1, 0}), boundary<2>({1, 0}), boundary<2>({0, -1}),
-//     boundary<2>({0, 1}),
-//                             interior<2>({0, 0})};
+//                             boundary<2>({0, 1}), interior<2>({0, 0})};
 //     const Fit<2> fitted = fit(shape);
 //     fitted.function.value({0, 0});        // 1: inside
 //     fitted.function.value({2, 0});        // negative: outside

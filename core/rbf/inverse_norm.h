@@ -2,11 +2,12 @@
 //
 // Before it: a factored symmetric matrix.  After it: FitReport::reciprocal_condition = 1 / (|A|_1 |A^-1|_1).
 //
-// Hager's method as Higham gives it (ACM TOMS 14(4), 1988, algorithm 4.1): climb the convex function |A^-1 x|_1 over the
-// unit ball, corner by corner. It never overestimates, and is within a factor of three nearly always, exact mostly.
+// Hager's method as Higham gives it (ACM TOMS 14(4), 1988, algorithm 4.1): climb the convex function |A^-1
+// x|_1 over the unit ball, corner by corner. It never overestimates, and is within a factor of three nearly
+// always, exact mostly.
 //
-// The estimator does not solve: it says what it wants solved and takes the answer. So whoever solves for something else
-// at the time can do both in one pass over the matrix.
+// The estimator does not solve: it says what it wants solved and takes the answer. So whoever solves for
+// something else at the time can do both in one pass over the matrix.
 //
 //     InverseNorm estimate(n);
 //     while (estimate.wants_solve()) estimate.take(solve(estimate.next()));

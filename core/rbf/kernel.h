@@ -4,14 +4,13 @@
 //
 // Turk & O'Brien 2002, section 3. Each of the three is conditionally definite of order 2: together with a
 // linear polynomial the system of eq. 8 has exactly one solution, for any distinct centers that are not all
-// on one line (2D) or plane (3D). `definite_sign` says with which sign: definite_sign * v' Phi v > 0 for v
-// orthogonal to linear functions.
+// on one line (2D) or plane (3D). The sign s says which way: s v' Phi v > 0 for v orthogonal to linear
+// functions.
 //
-//   kernel               phi(r)      sign   in 2D                          in 3D
-//   thin_plate_spline    r^2 log r    +     eq. 4: minimizes eq. 3         rougher than |x|^3
-//   cubic                r^3          +     smoother than the thin plate   the papers' choice (T&O 2002, sec.
-//   3) linear               r            -     cones at the centers           minimizes eq. 3's 3D form (Carr
-//   et al. 2001)
+//   kernel              phi(r)      s   in 2D                          in 3D
+//   thin_plate_spline   r^2 log r   +   eq. 4: minimizes eq. 3         rougher than |x|^3
+//   cubic               r^3         +   smoother than the thin plate   the papers' choice (section 3)
+//   linear              r           -   cones at the centers           minimizes eq. 3's form in 3D
 //
 // Every kernel works in every dimension.
 #pragma once

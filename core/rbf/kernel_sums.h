@@ -58,8 +58,9 @@ struct KernelSums {
 /// The largest dimension the loops are compiled for.
 inline constexpr int max_dimension = 4;
 
-/// The loops for the best instruction set of this processor; "avx512", "avx2" or "portable". The environment variable
-/// SEESAW_LOOPS may name a lesser one, for the same digits as on another machine; a name it lacks is ignored.
+/// The loops for the best instruction set of this processor; "avx512", "avx2" or "portable". The environment
+/// variable SEESAW_LOOPS may name a lesser one, for the same digits as on another machine; a name it lacks is
+/// ignored.
 const KernelSums& kernel_sums();
 
 /// The loops by that name, or nullptr where the processor or the build lacks them. For tests and benchmarks.

@@ -91,7 +91,8 @@ Solution Factorization<Dim>::solve(const Eigen::Ref<const Values>& values) {
   const Values rotated = apply_q_transposed(values);
   Values v = Values::Zero(n_);
   v.tail(free) = sign_ * rotated.tail(free);
-  // The condition's estimate needs solves of its own; they ride along, so that the matrix is read once for both.
+  // The condition's estimate needs solves of its own; they ride along, so that the matrix is read once for
+  // both.
   Eigen::MatrixXd both(free, estimate_.wants_solve() ? 2 : 1);
   both.col(0) = v.tail(free);
   if (both.cols() == 2) both.col(1) = estimate_.next();

@@ -6,8 +6,9 @@
 // polynomial p:
 //
 //     [ Phi + s lambda I   P ] [w]   [h]
-//     [        P'          0 ] [p] = [0]          s = +1 for r^2 log r and r^3, -1 for r;  lambda =
-//     smoothing.
+//     [        P'          0 ] [p] = [0]          s = +1 for r^2 log r and r^3, -1 for r
+//
+// with lambda the smoothing.
 //
 // The matrix is symmetric but indefinite, so neither Cholesky nor a plain L D L' may touch it (the latter
 // returns garbage without a word). The paper uses LU. Better: the side conditions P' w = 0 say that w lies in
@@ -16,7 +17,8 @@
 //     s Q2' (Phi + s lambda I) Q2 v = s Q2' h           is positive definite: Cholesky solves it;
 //     R p = Q1' (h - Phi w)                             then gives the polynomial.
 //
-// At N = 1600 that is over twice as fast as LU of eq. 8, at a reciprocal condition of 4e-9 instead of 1e-12.
+// That is half the multiplications of LU of eq. 8, at a reciprocal condition (N = 1600) of 4e-9 instead of
+// 1e-12.
 //
 // Where all centers lie on one line (2D) or plane (3D), P has no full rank: the weights are determined all
 // the same and the polynomial is not. Among those that fit, the one of least norm is taken: f is then
@@ -49,8 +51,8 @@ class Factorization {
   /// Dim + 1 for centers in general position, less for centers on one line or plane.
   Index polynomial_rank() const { return rank_; }
 
-  /// Weights and polynomial for values h (N). Needs positive_definite(). 2 N^2 multiplications. Not const: the first
-  /// calls also carry the condition's estimate forward.
+  /// Weights and polynomial for values h (N). Needs positive_definite(). 2 N^2 multiplications. Not const:
+  /// the first calls also carry the condition's estimate forward.
   Solution solve(const Eigen::Ref<const Values>& values);
   /// Of s Q2' (Phi + s lambda I) Q2 in the 1-norm, estimated; three solves, less those that rode along above.
   double reciprocal_condition();
@@ -70,8 +72,8 @@ class Factorization {
   Skinny reflectors_;           // V: Q = I - V T V'
   Eigen::MatrixXd triangle_;    // T
   Eigen::MatrixXd polynomial_;  // rank x (Dim + 1), takes Q1' (h - Phi w) to p
-  dense::Symmetric matrix_;      // s Q' Phi Q; its trailing block factored in place
-  InverseNorm estimate_{0};      // of that block's inverse
+  dense::Symmetric matrix_;     // s Q' Phi Q; its trailing block factored in place
+  InverseNorm estimate_{0};     // of that block's inverse
 };
 
 extern template class Factorization<2>;
