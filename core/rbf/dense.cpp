@@ -163,7 +163,8 @@ void subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::Matr
 }
 
 // Right-looking, in narrow panels: a small factorization, a triangular solve, and products that do nearly all
-// the work. (On AVX-512 processors OpenBLAS 0.3.21 takes a third longer over its own dpotrf.)
+// the work. (Measured: 1.15 to 1.35
+// times faster than OpenBLAS 0.3.21's dpotrf on AVX-512, equal on AVX2.)
 bool cholesky(Symmetric& a, Index first) {
   const OneThread alone;
   constexpr Index width = 96;
