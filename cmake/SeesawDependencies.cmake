@@ -48,3 +48,20 @@ find_package(nlohmann_json 3.11 REQUIRED)
 seesaw_dependency(json nlohmann_json::nlohmann_json)
 find_package(CLI11 REQUIRED)
 seesaw_dependency(cli CLI11::CLI11)
+
+# Mesh files and mesh simplification.
+find_package(assimp 5.2 REQUIRED CONFIG)
+seesaw_dependency(assimp assimp::assimp)
+find_package(meshoptimizer REQUIRED CONFIG)
+seesaw_dependency(meshoptimizer meshoptimizer::meshoptimizer)
+
+# Triangles and discs in ray-traced pictures; version 3 and 4 differ in the include and the two query calls.
+find_package(embree 4 CONFIG QUIET)
+if(embree_FOUND)
+  set(SEESAW_EMBREE_VERSION 4)
+else()
+  find_package(embree 3.13 REQUIRED CONFIG)
+  set(SEESAW_EMBREE_VERSION 3)
+endif()
+seesaw_dependency(embree embree)
+set_property(TARGET SeesawDeps::embree PROPERTY INTERFACE_COMPILE_DEFINITIONS SEESAW_EMBREE_VERSION=${SEESAW_EMBREE_VERSION})
