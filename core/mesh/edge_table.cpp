@@ -49,6 +49,13 @@ EdgeTable::EdgeTable(const Faces& faces, Index vertices) {
   first_.push_back(static_cast<int>(halves_.size()));
 }
 
+Index EdgeTable::find(int a, int b) const {
+  const auto [small, large] = std::minmax(a, b);
+  const auto before = [](const Ends& x, const Ends& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); };
+  const auto place = std::lower_bound(ends_.begin(), ends_.end(), Ends{small, large}, before);
+  return place != ends_.end() && place->a == small && place->b == large ? place - ends_.begin() : -1;
+}
+
 DisjointSets::DisjointSets(Index n) : parent_(static_cast<std::size_t>(n)) {
   for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = static_cast<int>(i);
 }

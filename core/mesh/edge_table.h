@@ -40,6 +40,9 @@ class EdgeTable {
   /// The edge of half-edge 3 f + k, or -1 where face f names a vertex twice.
   int edge_of(Index half) const { return edge_of_[static_cast<std::size_t>(half)]; }
 
+  /// The edge between vertices a and b, or -1. O(log E).
+  Index find(int a, int b) const;
+
   /// Does face f name a vertex twice?
   bool skipped(Index face) const { return edge_of(3 * face) < 0; }
 
