@@ -1,0 +1,34 @@
+// Seeds: where the surface is known to be. They say where to start, and whether all was found.
+//
+// Before it: the boundary constraints.  After it: continuation.h starts there; small.h looks closer where the
+// mesh is not the surface through a seed.
+//
+// A mesh passes through a seed when a triangle is within half a cube of it, the triangle's outward normal is
+// on the side of -grad f, and f keeps one sign on the way there: if it did not, the triangle would belong to
+// another sheet, and the seed's own sheet, thinner than a cube, would be missing.
+#pragma once
+
+#include <vector>
+
+#include "core/polygonize/assemble.h"
+
+namespace seesaw {
+
+struct Seed {
+  Point<3> at;                          ///< on f = 0, if `on_zero`
+  Point<3> outward = Point<3>::Zero();  ///< -grad f there; zero where there is none
+  bool on_zero = false;                 ///< f is zero here
+  bool on_surface = false;              ///< and the mesh passes here
+};
+
+/// Walks each seed of `points`, 3 x N, to f = 0 by at most `reach`; the ones that lead nowhere stay.
+std::vector<Seed> walk_seeds(Sampler& sampler, const Points<3>& points, double reach, double tolerance);
+
+/// Sets `on_surface` of those seeds that do not have it yet. `mesh` is as assembled from `found`.
+void find_on_mesh(std::vector<Seed>& seeds, const LatticeMesh& mesh, const Lattice& lattice,
+                  const CrossedCubes& found, Sampler& sampler);
+
+/// The same for any mesh, trying all triangles; `cell` is the side of its cubes.
+void find_on_mesh(std::vector<Seed>& seeds, const LatticeMesh& mesh, double cell, Sampler& sampler);
+
+}  // namespace seesaw
