@@ -14,7 +14,7 @@
 
 #include <CLI/CLI.hpp>
 
-#define SEESAW_COMMANDS(command) command(info) command(eval) command(contour)
+#define SEESAW_COMMANDS(command) command(info) command(eval) command(contour) command(check)
 
 namespace seesaw {
 
