@@ -1,0 +1,54 @@
+// Do two solids overlap? Where, and how much volume do they share?
+//
+// Before it: two fields, f > 0 inside.
+// After it: a designer who moves one of them; clearance.h says how far apart they are if they are.
+//
+// Turk & O'Brien 2002 name interference detection (abstract, section 1) as what implicit surfaces are good
+// for: a point is in both solids when both functions are positive there. Points prove that there is an
+// overlap, never that there is none; the fields' bounds do. In a cell of half diagonal R around m
+//     f(m) - R sup |grad f| > 0 proves all of it inside,   f(m) + R sup |grad f| < 0 all of it outside.
+// A cell of which neither is proven is cut into 4 x 4 x 4, until the volume of those left is small against
+// the volume proven inside both. So the answer is an interval that holds the true volume, and an estimate
+// within it: cells left over are counted by the share that lies inside both if the functions are linear.
+//
+//     const Interference found = interference(a, b);
+//     if (found.overlap) use(found.volume, found.where);      // low <= true volume <= high
+//     else if (found.certain) use(clearance(a, b).distance);  // proven apart
+#pragma once
+
+#include <optional>
+
+#include "core/base/progress.h"
+#include "core/implicit/field.h"
+
+namespace seesaw {
+
+struct InterferenceOptions {
+  /// Stop when high - low is at most this fraction of the volume.
+  double width = 0.05;
+  /// Stop rather than evaluate each function at more points than this: the interval is then wider.
+  Index evaluations = 4'000'000;
+  /// Where to look. None: what the two bounding boxes have in common; what sticks out of them is not seen.
+  std::optional<Box<3>> box = std::nullopt;
+};
+
+struct Interference {
+  /// A point was found where both functions are positive.
+  bool overlap = false;
+  /// Whether that is proven: always for an overlap, but for rounding. Without one, false means that the
+  /// solids come so near to each other that the work ended before they could be told apart.
+  bool certain = false;
+  double volume = 0;         ///< the estimate, cubed scene units
+  double low = 0, high = 0;  ///< the true volume within the box lies between these
+  /// Around all cells that hold some of the estimated volume; empty for none.
+  Box<3> where;
+  /// The deepest point found: where the smaller of the two functions is largest nearby. Only for an overlap.
+  Point<3> deepest = Point<3>::Zero();
+  Index evaluations = 0;  ///< points at which each function was evaluated at most
+};
+
+/// Throws Cancelled. The same result for any number of threads.
+Interference interference(const Field<3>& a, const Field<3>& b, const InterferenceOptions& options = {},
+                          const Progress& progress = {});
+
+}  // namespace seesaw

@@ -1,0 +1,167 @@
+#include "core/modelling/interference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/implicit/blobby.h"
+#include "core/implicit/booleans.h"
+#include "core/implicit/primitives.h"
+#include "core/implicit/torus.h"
+#include "core/modelling/clearance.h"
+#include "core/modelling/foot_points.h"
+#include "core/rbf/fit.h"
+#include "tests/core/modelling/models.h"
+
+namespace seesaw {
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+// Two spheres of radii r and s whose centers are d apart share two caps.
+double lens(double r, double s, double d) {
+  return pi * (r + s - d) * (r + s - d) * (d * d + 2 * d * (r + s) - 3 * (r - s) * (r - s)) / (12 * d);
+}
+
+TEST(Interference, LensOfTwoSpheres) {
+  const Sphere<3> a({0.1, 0.2, 0.3}, 1), b({1.3, 0.2, 0.9}, 0.8);
+  const double exact = lens(1, 0.8, std::hypot(1.2, 0.6));
+  double width = 9;
+  for (const Index evaluations : {30000, 300000, 3000000}) {
+    const Interference found = interference(a, b, {.width = 0.01, .evaluations = evaluations});
+    EXPECT_TRUE(found.overlap && found.certain);
+    EXPECT_LE(found.low, exact);
+    EXPECT_GE(found.high, exact);
+    EXPECT_LE(found.evaluations, evaluations);
+    EXPECT_LT(found.high - found.low, 0.7 * width);  // more work, less doubt
+    width = found.high - found.low;
+    EXPECT_NEAR(found.volume, exact, 0.06 * width);  // the estimate is far better than the interval
+  }
+  EXPECT_LT(width, 0.15 * exact);
+}
+
+TEST(Interference, SaysWhere) {
+  const Sphere<3> a({0, 0, 0}, 1), b({1.5, 0, 0}, 1);
+  const Interference found = interference(a, b);
+  EXPECT_TRUE(found.where.contains(Box<3>(Point<3>(0.5, -0.66, -0.66), Point<3>(1, 0.66, 0.66))));
+  EXPECT_LT(found.where.volume(), 1.3 * 0.5 * 1.323 * 1.323);
+  EXPECT_NEAR((found.deepest - Point<3>(0.75, 0, 0)).norm(), 0, 1e-4);
+  EXPECT_GT(std::min(a.value(found.deepest), b.value(found.deepest)), 0.2499);
+}
+
+TEST(Interference, OneWithinTheOther) {
+  const Sphere<3> a({0, 0, 0}, 2);
+  const Torus b({0.1, 0, 0}, {0, 0.3, 1}, 1, 0.3);
+  const Interference found = interference(a, b);
+  const double exact = 2 * pi * pi * 1 * 0.3 * 0.3;
+  EXPECT_LE(found.low, exact);
+  EXPECT_GE(found.high, exact);
+  EXPECT_NEAR(found.volume, exact, 0.01 * exact);
+}
+
+TEST(Interference, ApartIsProven) {
+  const Interference none = interference(Sphere<3>({0, 0, 0}, 1), Sphere<3>({2.01, 0, 0}, 1));
+  EXPECT_TRUE(!none.overlap && none.certain);
+  EXPECT_EQ(none.volume, 0);
+  EXPECT_EQ(none.high, 0);
+  EXPECT_TRUE(none.where.isEmpty());
+  // Their boxes do not even meet.
+  EXPECT_TRUE(interference(Sphere<3>({0, 0, 0}, 1), Sphere<3>({9, 0, 0}, 1)).certain);
+  // Touching spheres cannot be told apart by any finite work, and that is said.
+  const Interference touch =
+      interference(Sphere<3>({0, 0, 0}, 1), Sphere<3>({2, 0, 0}, 1), {.evaluations = 200000});
+  EXPECT_TRUE(!touch.overlap && !touch.certain);
+  EXPECT_GT(touch.high, 0);
+}
+
+TEST(Interference, OfInterpolants) {
+  const auto ball = [](const Point<3>& center) {
+    const TriangleMesh mesh = ellipsoid({1, 1, 1}, 12, 8);
+    Constraints<3> constraints;
+    for (Index i = 0; i < mesh.vertices.cols(); ++i)
+      constraints.push_back(boundary<3>(center + mesh.vertices.col(i), Point<3>(mesh.vertices.col(i)), 0.02));
+    return fit(constraints, {.condition = false}).function;
+  };
+  const Interpolant<3> a = ball({0, 0, 0}), b = ball({1.2, 0.3, 0});
+  const double exact = lens(1, 1, std::hypot(1.2, 0.3));
+  const Interference found = interference(a, b, {.evaluations = 400000});
+  EXPECT_TRUE(found.overlap);
+  EXPECT_LE(found.low, found.volume);
+  EXPECT_GE(found.high, found.volume);
+  EXPECT_NEAR(found.volume, exact, 0.01 * exact);  // the interpolants are spheres to within that
+  // The same answer as the boolean's: its own volume against the whole of space.
+  const Intersection<3> both({borrow<3>(a), borrow<3>(b)});
+  const Interference again = interference(both, a, {.evaluations = 400000, .box = found.where});
+  EXPECT_NEAR(again.volume, found.volume, 0.005 * exact);
+}
+
+TEST(Interference, IsCancelled) {
+  EXPECT_THROW(
+      interference(Sphere<3>({0, 0, 0}, 1), Sphere<3>({1, 0, 0}, 1), {}, [](double) { return false; }),
+      Cancelled);
+}
+
+// Distances.
+
+TEST(FootPoints, FirstOrderAndFeet) {
+  const Torus torus({0, 0, 0}, {0, 0, 1}, 1, 0.4);
+  const BlobbySpheres<3> blob(0.3, Point<3>(0, 0, 0), Values{{BlobbySpheres<3>::deviation_for(1, 0.3)}});
+  Random random(1);
+  for (int i = 0; i < 30; ++i) {
+    const Point<3> x = torus.center() + random.uniform(1.2, 1.6) * random.direction<3>();
+    if (std::abs(torus.value(x)) > 0.3) continue;
+    // Of a signed distance both are exact.
+    EXPECT_NEAR(first_order_distances(torus, x)[0], std::abs(torus.value(x)), 1e-14);
+    EXPECT_NEAR(foot_distances(torus, x, 1)[0], std::abs(torus.value(x)), 1e-14);
+  }
+  for (const double r : {0.7, 0.95, 1.05, 1.5}) {
+    const Point<3> x = r * random.direction<3>();
+    EXPECT_NEAR(foot_distances(blob, x, 0.3)[0], std::abs(r - 1), 0.01 * std::abs(r - 1));  // two digits
+    EXPECT_NEAR(foot_point(blob, x, 1e-13)->norm(), 1, 1e-12);
+  }
+  // First order is no distance out there: f is flat.
+  EXPECT_GT(first_order_distances(blob, Point<3>(3, 0, 0))[0], 20);
+  EXPECT_FALSE(
+      foot_point(BlobbySpheres<3>(2, Point<3>(0, 0, 0), Values{{1.0}}), {1, 0, 0}, 1e-9).has_value());
+}
+
+TEST(Clearance, OfTwoSpheresIsExact) {
+  Random random(2);
+  for (int i = 0; i < 5; ++i) {
+    const Point<3> center = 4 * random.direction<3>();
+    const double r = random.uniform(0.3, 1.5), s = random.uniform(0.3, 1.5);
+    const Sphere<3> a({1, 1, 1}, r), b(Point<3>(1, 1, 1) + center, s);
+    const Clearance found = clearance(a, b);
+    EXPECT_NEAR(found.distance, 4 - r - s, 1e-9);
+    EXPECT_LE(found.low, 4 - r - s + 1e-12);
+    EXPECT_GE(found.low, 4 - r - s - 0.1);
+    EXPECT_NEAR(a.value(found.on_a), 0, 1e-11);
+    EXPECT_NEAR(b.value(found.on_b), 0, 1e-11);
+    EXPECT_NEAR((found.on_a - found.on_b).norm(), found.distance, 1e-12);
+  }
+}
+
+TEST(Clearance, FindsTheNearestOfManyPlaces) {  // a ring around a ball that is off its middle
+  const Torus ring({0, 0, 0}, {0, 0, 1}, 2, 0.5);
+  const Sphere<3> ball({0.3, 0.4, 0.2}, 0.7);
+  // From the ball's center: the core circle is nearest at hypot(2 - 0.5, 0.2).
+  const Clearance found = clearance(ring, ball);
+  const double exact = std::hypot(1.5, 0.2) - 0.5 - 0.7;
+  EXPECT_NEAR(found.distance, exact, 1e-9);
+  EXPECT_LE(found.low, exact);
+  EXPECT_LT(clearance(ring, ball, {.width = 0.1}).low, found.low);
+}
+
+TEST(Clearance, WithoutASurfaceIsInfinite) {
+  const BlobbySpheres<3> nothing(2, Point<3>(0, 0, 0), Values{{1.0}});
+  EXPECT_EQ(clearance(nothing, Sphere<3>({5, 0, 0}, 1)).distance, std::numeric_limits<double>::infinity());
+}
+
+TEST(Clearance, CrossingSurfacesHaveNone) {
+  const Clearance found = clearance(Sphere<3>({0, 0, 0}, 1), Sphere<3>({1, 0, 0}, 1));
+  EXPECT_EQ(found.low, 0);
+  EXPECT_LT(found.distance, 1e-6);
+}
+
+}  // namespace
+}  // namespace seesaw
