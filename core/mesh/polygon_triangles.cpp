@@ -59,6 +59,8 @@ class Ring {
     turn_[at(b)] = measured_turn(b);
   }
 
+  bool turns_right(int i) const { return turn_[at(i)] < 0; }
+
   double diagonal(int i) const { return (space_[at(before(i))] - space_[at(after(i))]).squaredNorm(); }
 
  private:
@@ -102,7 +104,8 @@ bool cut_polygon(const Eigen::Ref<const Points<3>>& points, std::span<const int>
   const int a = ring.before(here), b = ring.after(here);
   triangles.push_back({polygon[static_cast<std::size_t>(a)], polygon[static_cast<std::size_t>(here)],
                        polygon[static_cast<std::size_t>(b)]});
-  return simple;
+  // What is left over of a polygon that crosses itself runs the wrong way.
+  return simple && !ring.turns_right(here);
 }
 
 }  // namespace seesaw

@@ -49,7 +49,8 @@ class PointsReader {
       if (lines.size() == 1 || !parse_number(lines[0].substr(0, lines[0].find(',')))) continue;
       const auto inner_comma = [](std::string_view word) {
         const std::size_t at = word.find(',');
-        return at > 0 && at + 1 < word.size() && word.find(',', at + 1) == std::string_view::npos;
+        return at != std::string_view::npos && at > 0 && at + 1 < word.size() &&
+               word.find(',', at + 1) == std::string_view::npos;
       };
       const bool columns = lines.size() == 3 || lines.size() == 6;
       return columns && std::any_of(lines.words().begin(), lines.words().end(), inner_comma) ? "" : ",";
