@@ -77,7 +77,8 @@ BranchingPrisms branching_prisms(const BranchingPrismsOptions& options) {
       result.prisms.vertices.col(6 * p + k) = corner;
       result.constraints.push_back(boundary<3>(corner));
     }
-    result.constraints.push_back(interior<3>(prism.foot + 0.5 * rise, options.value));
+    result.constraints.push_back(
+        interior<3>(prism.foot + 0.5 * rise, options.value * prism.radius / options.radius));
     for (int f = 0; f < 8; ++f)
       for (int k = 0; k < 3; ++k)
         result.prisms.faces(k, 8 * p + f) =

@@ -6,7 +6,8 @@
 // Section 4.1: "Each of the six vertices of a large prism specified the location of a zero-valued constraint,
 // and a single interior constraint was placed in the center of this prism. Next, three smaller and slightly
 // tilted prisms were placed atop the first large prism [...] and so on." The measures are ours: the paper
-// prints none.
+// prints none. They are from the middle of a range in which the surface is in one piece and without holes;
+// taller or closer prisms grow handles where siblings meet.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -19,16 +20,17 @@ struct BranchingPrismsOptions {
   int generations = 4;
   /// Of the large prism: circumradius of its triangles, and height.
   double radius = 1.0;
-  double height = 2.4;
+  double height = 1.8;
   /// A child's measures over its parent's.
-  double shrink = 0.55;
+  double shrink = 0.58;
   /// How far a child leans away from its parent's axis, in degrees.
   double tilt = 28.0;
   /// Where a child's foot has its middle: so many parent radii from the parent's axis toward a corner, and so
   /// many child radii above the parent's top.
-  double spread = 0.62;
-  double lift = 0.45;
-  /// f at the centers.
+  double spread = 0.9;
+  double lift = 0.6;
+  /// f at the center of the large prism. A child's is `shrink` times its parent's, so that f is as steep in
+  /// the twigs as in the trunk.
   double value = 1.0;
 };
 
