@@ -64,7 +64,7 @@ class TextNumbers {
            " follow");
   }
   [[noreturn]] void fail(const std::string& message) const {
-    lines_.fail(what_ + " " + std::to_string(number_) + ": " + message);
+    lines_.fail(printable(what_) + " " + std::to_string(number_) + ": " + message);
   }
 
  private:
@@ -120,7 +120,7 @@ class BinaryNumbers {
       fail("a list names " + counted(n, "number") + ", more than the file holds: it is cut short or damaged");
   }
   [[noreturn]] void fail(const std::string& message) const {
-    throw FileError(name_, what_ + " " + std::to_string(number_) + ": " + message);
+    throw FileError(name_, printable(what_) + " " + std::to_string(number_) + ": " + message);
   }
 
  private:

@@ -82,12 +82,14 @@ long long TextLines::integer(std::size_t i, std::string_view what) const {
   return value;
 }
 
-std::string in_quotes(std::string_view word) {
+std::string printable(std::string_view word) {
   constexpr std::size_t most = 40;
-  std::string result = "\"";
+  std::string result;
   for (const char c : word.substr(0, most)) result += c >= ' ' && c <= '~' ? c : '?';
-  return result + (word.size() > most ? "...\"" : "\"");
+  return result + (word.size() > most ? "..." : "");
 }
+
+std::string in_quotes(std::string_view word) { return '"' + printable(word) + '"'; }
 
 std::string counted(long long n, const std::string& noun) {
   const bool vertex = noun.ends_with("vertex");

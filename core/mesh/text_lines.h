@@ -58,7 +58,8 @@ class TextLines {
   std::vector<std::string_view> words_;
 };
 
-/// A word from a file as an error may show it: in quotes, at most 40 characters, nothing but printable ASCII.
+/// A word from a file as an error may show it: at most 40 characters, nothing but printable ASCII.
+std::string printable(std::string_view word);
 std::string in_quotes(std::string_view word);
 
 /// "1 face", "2 faces".
