@@ -84,13 +84,14 @@ void look_closer(const Lattice& lattice, Sampler& sampler, const MemoryBound& me
       continue;
     }
     SmallSearch search = find_small(seed, lattice, sampler, memory, precision);
-    if (search.answer == SmallSearch::Answer::found) {
+    if (search.answer == SmallSearch::Answer::found &&
+        (remove_crude(result.parts[0].mesh, search) || !search.holds_corner)) {
       seed.on_surface = true;
       result.parts.push_back({std::move(search.mesh), search.cell});
-    } else if (search.answer == SmallSearch::Answer::nothing && seed.outward.isZero(0)) {
+    } else if (search.answer == SmallSearch::Answer::nothing) {
       ++result.nowhere;
     } else {
-      ++result.missed;  // where the gradient is not zero, f does change its sign
+      ++result.missed;
     }
   }
 }
@@ -174,6 +175,8 @@ Attempt attempt(Lattice lattice, const Points<3>& seeds, Sampler& sampler, const
   drop_specks(result.parts[0].mesh, lattice, sampler);
   result.times.assemble += watch.lap();
 
+  find_on_mesh(result.seeds, result.parts[0].mesh, lattice, found, sampler);
+  find_tips(result.seeds, lattice.cell(), sampler);
   find_on_mesh(result.seeds, result.parts[0].mesh, lattice, found, sampler);
   look_closer(lattice, sampler, memory, precision, result);
   result.times.seeds += watch.lap();

@@ -28,7 +28,8 @@
 // What is promised: a manifold mesh, closed but for cuts on the box; vertices on f = 0 to |f| / |grad f| <=
 // 1e-12 of the box wherever Newton or bisection can get there; the same bits whatever the number of threads.
 // What is not: a component through no seed is not looked for (unless `exhaustive`), and one smaller than a
-// cube may then escape the lattice, too. Sharp creases of f are cut off at the size of a cube.
+// cube may then escape the lattice, too. A sheet or a gap thinner than one and a half cubes may get holes
+// that no seed sees. Sharp creases of f are cut off at the size of a cube.
 #pragma once
 
 #include <cstddef>
@@ -79,7 +80,8 @@ struct Polygonization {
   double smallest_angle = 0;      ///< degrees, of `mesh`; 0 for no triangles
 
   // What became of the seeds; the five add up to their number.
-  Index seeds_on_surface = 0;  ///< within half a cube of a triangle that faces as f does there
+  Index seeds_on_surface =
+      0;  ///< a quarter of a cube from a triangle that faces as f does (on a crease: a cube)
   Index seeds_outside = 0;     ///< beyond the box
   Index seeds_nowhere = 0;     ///< f has no surface there: not near zero, or zero only in a point or a sheet
   Index seeds_missed = 0;      ///< there is a surface, and the mesh has it not: too thin for the halvings

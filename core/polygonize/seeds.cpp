@@ -11,7 +11,11 @@ namespace seesaw {
 namespace {
 
 // In cubes: how near is on the mesh, and how near is so near that no other sheet fits between.
-constexpr double near_enough = 0.5, certain = 0.01;
+constexpr double near_enough = 0.25, certain = 0.01;
+// A tip or a crease is cut off by the cube that it stands in.
+constexpr double near_enough_for_tips = 1.0;
+// A crease: this near to the seed, in cubes, the gradient turns to a cosine of less than this.
+constexpr double beside = 1e-3, least_cosine = 0.9;
 // Where to look at f's sign on the way, as fractions of it: most of them near the seed.
 constexpr std::array<double, 7> looks = {1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 3.0 / 4};
 
@@ -56,7 +60,7 @@ void settle(std::vector<Seed>& seeds, const std::vector<Nearest>& nearest, doubl
     if (seeds[i].on_surface) continue;
     if (nearest[i].distance <= certain * cell)
       seeds[i].on_surface = true;
-    else if (nearest[i].distance <= near_enough * cell)
+    else if (nearest[i].distance <= (seeds[i].is_tip ? near_enough_for_tips : near_enough) * cell)
       asked.push_back(i);
   }
   Points<3> points(3, static_cast<Index>(asked.size() * looks.size()));
@@ -114,6 +118,39 @@ void find_on_mesh(std::vector<Seed>& seeds, const LatticeMesh& mesh, double cell
     if (!seeds[i].on_surface)
       for (Index f = 0; f < mesh.faces.cols(); ++f) nearest[i].look_at(seeds[i], mesh, f);
   settle(seeds, nearest, cell, sampler);
+}
+
+void find_tips(std::vector<Seed>& seeds, double cell, Sampler& sampler) {
+  std::vector<std::size_t> asked;
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    if (seeds[i].on_zero && !seeds[i].on_surface) asked.push_back(i);
+  Points<3> points(3, static_cast<Index>(6 * asked.size())), gradients;
+  Index column = 0;
+  for (const std::size_t i : asked)
+    for (int d = 0; d < 3; ++d)
+      for (const double side : {-beside, beside})
+        points.col(column++) = seeds[i].at + side * cell * Point<3>::Unit(d);
+  sampler.values(points, gradients);
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    double cosine = 1;
+    for (Index a = 0; a < 6; ++a)
+      for (Index b = 0; b < a; ++b) {
+        const Point<3> g = gradients.col(static_cast<Index>(6 * k) + a),
+                       h = gradients.col(static_cast<Index>(6 * k) + b);
+        cosine = std::min(cosine, g.dot(h) / (g.norm() * h.norm()));
+      }
+    if (cosine >= least_cosine) continue;
+    seeds[asked[k]].is_tip = true;
+    seeds[asked[k]].outward.setZero();
+  }
+}
+
+double distance_to(const LatticeMesh& mesh, const Point<3>& p) {
+  Seed seed;
+  seed.at = p;
+  Nearest nearest;
+  for (Index f = 0; f < mesh.faces.cols(); ++f) nearest.look_at(seed, mesh, f);
+  return nearest.distance;
 }
 
 }  // namespace seesaw

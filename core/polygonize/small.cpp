@@ -8,7 +8,7 @@ namespace seesaw {
 
 namespace {
 
-constexpr int finest = 6;           // a 64th of the cube
+constexpr int finest = 14;          // a 16384th of the cube
 constexpr double room = 2;          // cubes of the large lattice around the seed
 constexpr double least_across = 8;  // cubes of the fine lattice that a component must span
 constexpr std::size_t most_cubes = 8000;
@@ -82,13 +82,37 @@ SmallSearch find_small(const Seed& seed, const Lattice& lattice, Sampler& sample
     find_on_mesh(alone, mesh, fine.cell(), sampler);
     const Box<3> bounds = bounding_box_of<3>(mesh.positions);
     if (!alone[0].on_surface || bounds.sizes().maxCoeff() < least_across * fine.cell()) continue;
-    if (!range.contains(bounds) || holds_a_corner(mesh, bounds, lattice)) return search;
+    if (!range.contains(bounds)) return search;
     search.answer = SmallSearch::Answer::found;
+    search.holds_corner = holds_a_corner(mesh, bounds, lattice);
     search.mesh = std::move(mesh);
     search.cell = fine.cell();
     return search;
   }
   return search;
+}
+
+bool remove_crude(LatticeMesh& large, const SmallSearch& small) {
+  Box<3> bounds = bounding_box_of<3>(small.mesh.positions);
+  const Point<3> slack = Point<3>::Constant(small.cell);
+  bounds = Box<3>(bounds.min() - slack, bounds.max() + slack);
+  std::vector<int> component;
+  const Index count = components_of(large.faces, large.vertices(), component);
+  std::vector<bool> keep(static_cast<std::size_t>(count), false);
+  for (Index v = 0; v < large.vertices(); ++v)
+    if (!bounds.contains(Point<3>(large.positions.col(v))))
+      keep[static_cast<std::size_t>(component[static_cast<std::size_t>(v)])] = true;
+  for (Index v = 0; v < large.vertices(); ++v) {
+    const std::size_t its = static_cast<std::size_t>(component[static_cast<std::size_t>(v)]);
+    if (!keep[its] && distance_to(small.mesh, large.positions.col(v)) > 0.5 * small.cell) keep[its] = true;
+  }
+  std::vector<bool> keep_face(static_cast<std::size_t>(large.faces.cols()));
+  for (Index f = 0; f < large.faces.cols(); ++f)
+    keep_face[static_cast<std::size_t>(f)] =
+        keep[static_cast<std::size_t>(component[static_cast<std::size_t>(large.faces(0, f))])];
+  const Index before = large.faces.cols();
+  keep_faces(large, keep_face);
+  return large.faces.cols() < before;
 }
 
 }  // namespace seesaw
