@@ -228,9 +228,9 @@ struct EmbreeGeometry::Parts {
   }
 };
 
-EmbreeGeometry::EmbreeGeometry(const Scene& scene, double pixel_angle) : parts_(std::make_unique<Parts>()) {
+EmbreeGeometry::EmbreeGeometry(const Scene& scene, const Box<3>& box, double pixel_angle)
+    : parts_(std::make_unique<Parts>()) {
   Parts& parts = *parts_;
-  const Box<3> box = bounding_box(scene);
   if (!box.isEmpty()) {
     parts.center = box.center();
     const double half = 0.5 * box.sizes().maxCoeff();

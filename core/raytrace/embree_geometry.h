@@ -19,9 +19,9 @@ namespace seesaw {
 
 class EmbreeGeometry {
  public:
-  /// Reads `scene` while it lives. `pixel_angle` is a pixel's size seen from the eye, in radians: for edge
-  /// lines.
-  EmbreeGeometry(const Scene& scene, double pixel_angle);
+  /// Reads `scene` while it lives. `box` holds its objects. `pixel_angle` is a pixel's size seen from the
+  /// eye, in radians: for edge lines.
+  EmbreeGeometry(const Scene& scene, const Box<3>& box, double pixel_angle);
   ~EmbreeGeometry();
   EmbreeGeometry(const EmbreeGeometry&) = delete;
   EmbreeGeometry& operator=(const EmbreeGeometry&) = delete;

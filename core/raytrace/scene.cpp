@@ -23,6 +23,12 @@ void for_outer_points(const Scene& scene, const Take& take) {
   };
   for (const DiscsObject& each : scene.discs) take_rounded(each.centers, each.radii);
   for (const SpheresObject& each : scene.spheres) take_rounded(each.centers, each.radii);
+  for (const Solid& each : scene.solids) {
+    const Points<3> points = each.surface_points();
+    for (Index i = 0; i < points.cols(); ++i) take(Point<3>(points.col(i)));
+    if (points.cols() == 0 && !each.box().isEmpty())
+      for (int k = 0; k < 8; ++k) take(Point<3>(each.box().corner(static_cast<Box<3>::CornerType>(k))));
+  }
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "core/raytrace/camera.h"
 #include "core/raytrace/light.h"
 #include "core/raytrace/material.h"
+#include "core/raytrace/solid.h"
 
 namespace seesaw {
 
@@ -76,6 +77,8 @@ struct Scene {
   std::vector<MeshObject> meshes = {};
   std::vector<DiscsObject> discs = {};
   std::vector<SpheresObject> spheres = {};
+  /// Fields, and what CSG makes of them; traced, not meshed.
+  std::vector<Solid> solids = {};
   Floor floor = {};
   /// None for `studio_lights`.
   std::vector<Light> lights = {};
@@ -84,7 +87,8 @@ struct Scene {
   double ambient = 0.4;
 };
 
-/// The box around all objects, without the floor; empty for none.
+/// The box around all objects, without the floor; empty for none. A solid counts by its
+/// surface_points, or where these see nothing, by its own box.
 Box<3> bounding_box(const Scene& scene);
 
 /// The nearest camera that sees all of the scene's objects, centered: tighter than framing the box around
