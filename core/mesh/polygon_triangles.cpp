@@ -1,12 +1,50 @@
 #include "core/mesh/polygon_triangles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "core/mesh/predicates.h"
 
 namespace seesaw {
 
 namespace {
+
+// Corners by the cell of a lattice they lie in, so that those near a triangle are found without asking all.
+class CornerGrid {
+ public:
+  // About one corner a cell for `count` corners spread over `box`.
+  CornerGrid(const Box<2>& box, std::size_t count)
+      : box_(box), side_(std::clamp(static_cast<int>(std::sqrt(static_cast<double>(count))), 1, 2000)) {
+    cells_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
+  }
+  void add(int corner, const Point<2>& p) { cells_[cell(column(p, 0), column(p, 1))].push_back(corner); }
+
+  /// Does `fits(corner)` hold for any corner in the cells that the box from `low` to `high` touches?
+  template <class Fits>
+  bool any(const Point<2>& low, const Point<2>& high, Fits&& fits) const {
+    for (int i = column(low, 0); i <= column(high, 0); ++i)
+      for (int j = column(low, 1); j <= column(high, 1); ++j)
+        for (const int corner : cells_[cell(i, j)])
+          if (fits(corner)) return true;
+    return false;
+  }
+
+ private:
+  int column(const Point<2>& p, int axis) const {
+    const double length = box_.max()[axis] - box_.min()[axis];
+    if (!(length > 0)) return 0;
+    return std::clamp(static_cast<int>((p[axis] - box_.min()[axis]) / length * side_), 0, side_ - 1);
+  }
+  std::size_t cell(int i, int j) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(j);
+  }
+
+  Box<2> box_;
+  int side_;
+  std::vector<std::vector<int>> cells_;
+};
 
 // The ring of corners that are left, with each corner's turn.
 class Ring {
@@ -27,7 +65,16 @@ class Ring {
       before_.push_back(static_cast<int>(i + n - 1) % static_cast<int>(n));
       after_.push_back(static_cast<int>(i + 1) % static_cast<int>(n));
     }
-    for (std::size_t i = 0; i < n; ++i) turn_.push_back(measured_turn(static_cast<int>(i)));
+    std::size_t in_the_way = 0;
+    Box<2> box;
+    for (std::size_t i = 0; i < n; ++i) {
+      turn_.push_back(measured_turn(static_cast<int>(i)));
+      in_the_way += turn_.back() <= 0;
+      box.extend(flat_[i]);
+    }
+    grid_.emplace(box, in_the_way);
+    for (std::size_t i = 0; i < n; ++i)
+      if (turn_[i] <= 0) grid_->add(static_cast<int>(i), flat_[i]);
   }
 
   int before(int i) const { return before_[at(i)]; }
@@ -36,18 +83,15 @@ class Ring {
   bool is_ear(int i) const {
     if (turn_[at(i)] <= 0) return false;
     const int a = before(i), b = after(i);
-    for (int j = after(b); j != a; j = after(j)) {
-      // Only a corner that does not turn left can be the first to stand in the way.
-      if (turn_[at(j)] > 0) continue;
+    const Point<2>&pa = flat_[at(a)], &pi = flat_[at(i)], &pb = flat_[at(b)];
+    // Only a corner that does not turn left can be the first to stand in the way.
+    return !grid_->any(pa.cwiseMin(pi).cwiseMin(pb), pa.cwiseMax(pi).cwiseMax(pb), [&](int j) {
+      if (turn_[at(j)] > 0) return false;
       const Point<2>& p = flat_[at(j)];
       // Where a hole was joined to the rim by a double edge, one place is several corners.
-      if (p == flat_[at(a)] || p == flat_[at(i)] || p == flat_[at(b)]) continue;
-      if (side_of_line(flat_[at(a)], flat_[at(i)], p) >= 0 &&
-          side_of_line(flat_[at(i)], flat_[at(b)], p) >= 0 &&
-          side_of_line(flat_[at(b)], flat_[at(a)], p) >= 0)
-        return false;
-    }
-    return true;
+      if (p == pa || p == pi || p == pb) return false;
+      return side_of_line(pa, pi, p) >= 0 && side_of_line(pi, pb, p) >= 0 && side_of_line(pb, pa, p) >= 0;
+    });
   }
 
   void cut(int i, std::vector<std::array<int, 3>>& triangles) {
@@ -55,8 +99,13 @@ class Ring {
     triangles.push_back({polygon_[at(a)], polygon_[at(i)], polygon_[at(b)]});
     after_[at(a)] = b;
     before_[at(b)] = a;
-    turn_[at(a)] = measured_turn(a);
-    turn_[at(b)] = measured_turn(b);
+    turn_[at(i)] = 1;  // no longer in anybody's way
+    for (const int corner : {a, b}) {
+      const int old = turn_[at(corner)];
+      turn_[at(corner)] = measured_turn(corner);
+      // Only where the polygon crosses itself.
+      if (old > 0 && turn_[at(corner)] <= 0) grid_->add(corner, flat_[at(corner)]);
+    }
   }
 
   bool turns_right(int i) const { return turn_[at(i)] < 0; }
@@ -73,6 +122,7 @@ class Ring {
   std::vector<Point<2>> flat_;
   std::vector<Point<3>> space_;
   std::vector<int> before_, after_, turn_;
+  std::optional<CornerGrid> grid_;  // of the corners that do not turn left
 };
 
 }  // namespace

@@ -19,8 +19,8 @@ namespace seesaw {
 
 /// Appends the n - 2 triangles of `polygon` (n >= 3 columns of `points`, in order) to `triangles`, as vertex
 /// indices in the polygon's direction. No corner is left out, also not one on a straight side. Returns false
-/// where it was seen that the polygon crosses itself: it is then cut all the same, but somehow. O(n) for a
-/// convex polygon, O(n r) with r corners that turn right.
+/// where it was seen that the polygon crosses itself: it is then cut all the same, but somehow. About O(n)
+/// for polygons whose corners are spread evenly, O(n^2) at worst.
 bool cut_polygon(const Eigen::Ref<const Points<3>>& points, std::span<const int> polygon,
                  std::vector<std::array<int, 3>>& triangles);
 
