@@ -39,13 +39,13 @@ LoadedMesh read_mesh(const std::filesystem::path& path, const RepairOptions& opt
 PointCloud read_point_cloud(const std::filesystem::path& path);
 
 struct WriteOptions {
-  /// PLY and STL as text. In binary, PLY has doubles and loses nothing; STL has floats either way.
+  /// PLY and STL as text. In binary, PLY has doubles and loses nothing; STL has floats.
   bool text = false;
 };
 
 /// By the ending of `path`: .obj, .ply, .stl or .off. Normals are written where the mesh has them (STL has
-/// one a face, which is worked out). Text has 17 digits, so that reading gives back the same numbers, but for
-/// STL, where numbers are floats. Throws FileError.
+/// one a face, which is worked out). Text has 17 digits, so that reading gives back the same numbers. Throws
+/// FileError, also for coordinates that a binary STL has no room for.
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
                 const WriteOptions& options = {});
 

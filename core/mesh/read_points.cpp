@@ -67,14 +67,19 @@ class PointsReader {
     return count;
   }
 
+  // "NX", NormalX, normal_x and //X (CloudCompare's first line) in one spelling.
+  static std::string plain_name(std::string_view written) {
+    std::string word = lower_case(written);
+    std::erase_if(word, [](char c) { return c == '"' || c == '/' || c == '_'; });
+    return word.starts_with("normal") ? "n" + word.substr(6) : word;
+  }
+
   // A line of column names: which column is x?
   void read_names() {
     columns_ = lines_.size();
     for (std::size_t k = 0; k < names.size(); ++k)
       for (std::size_t i = 0; i < columns_; ++i) {
-        std::string word = lower_case(lines_[i]);
-        std::erase(word, '"');
-        if (word == names[k]) column_[k] = static_cast<int>(i);
+        if (plain_name(lines_[i]) == names[k]) column_[k] = static_cast<int>(i);
       }
     if (column_[0] < 0 || column_[1] < 0 || column_[2] < 0)
       lines_.fail("expected numbers, or a line with the column names x, y, z (and nx, ny, nz), found " +

@@ -116,9 +116,9 @@ std::string ply_of(const Points<3>& points, const Points<3>& normals, const Face
 }
 
 std::string stl_of(const TriangleMesh& mesh, bool text) {
-  if (mesh.vertices.size() > 0 &&
+  if (!text && mesh.vertices.size() > 0 &&
       mesh.vertices.cwiseAbs().maxCoeff() > double{std::numeric_limits<float>::max()})
-    throw Error("STL has floats, and a coordinate of this mesh is beyond 3.4e38");
+    throw Error("a binary STL has floats, and a coordinate of this mesh is beyond 3.4e38");
   std::string bytes = text ? "solid seesaw\n" : std::string(80, ' ');
   if (!text) append_index(bytes, static_cast<int>(mesh.faces.cols()));
   for (Index f = 0; f < mesh.faces.cols(); ++f) {

@@ -191,6 +191,7 @@ TEST(ReadPoints, TheWaysToWriteThem) {
            {"\xEF\xBB\xBF\"NZ\";\"ny\";\"nx\";\"id\";\"Z\";\"Y\";\"X\"\r\n1;0;0;7;3;2;1\r\n0;1;0;8;6;5;4\r\n",
             "a.csv"},
            {"1 2 3 0 0 1\n4 5 6 0 1 0\n", "without_a_name"},
+           {"//X Y Z Normal_X Normal_Y Normal_Z\n1 2 3 0 0 1\n4 5 6 0 1 0\n", "a.asc"},
            {"ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
             "property float nx\nproperty float ny\nproperty float nz\nend_header\n1 2 3 0 0 1\n4 5 6 0 1 0\n",
             "a.ply"}}) {
@@ -246,6 +247,8 @@ TEST(MeshFile, WhatIsWrittenIsReadBack) {
                            : again.normals.col(i) == cloud.normals.col(i));
     }
   EXPECT_THROW(write_mesh(folder / "m.jpg", mesh), FileError);
+  EXPECT_THROW(write_mesh(folder / "m.stl", moved(mesh, 1e39, {0, 0, 0})), FileError);
+  EXPECT_NE(read_mesh(folder / "m.stl").mesh.faces.cols(), 0) << "the old file stays";
   EXPECT_THROW(write_point_cloud(folder / "c.obj", cloud), FileError);
   EXPECT_THROW(read_mesh(folder / "c.xyz"), FileError);
   EXPECT_THROW(read_point_cloud(folder / "m.obj"), FileError);
