@@ -10,6 +10,7 @@
 #include "core/mesh/vertex_normals.h"
 #include "core/modelling/foot_points.h"
 #include "core/modelling/point_sampling.h"
+#include "core/modelling/tolerant_fit.h"
 
 namespace seesaw {
 
@@ -104,7 +105,8 @@ AdaptiveFit run(const Model& given, const AdaptiveFitOptions& options, const Pro
     making.chosen.clear();
     for (const Index each : chosen) making.chosen.push_back(samples.vertices[static_cast<std::size_t>(each)]);
     ModelConstraints made = constraints_from(model, making);
-    Fit<3> fitted = fit(made.constraints, {.kernel = options.kernel, .condition = false});
+    TolerantFit tolerant = fit_tolerantly(made.constraints, {.kernel = options.kernel, .condition = false});
+    const Fit<3>& fitted = tolerant.fitted;
     // Where the model was moved to the unit cube, so are its points.
     const Points<3> points =
         making.to_unit_cube ? made.report.cube.apply(samples.points) : Points<3>(samples.points);
@@ -134,7 +136,8 @@ AdaptiveFit run(const Model& given, const AdaptiveFitOptions& options, const Pro
     if (next.empty()) {
       std::vector<Index> vertices = making.chosen;
       report(progress, 1.0);
-      return {std::move(made), std::move(fitted), std::move(vertices), std::move(history), met};
+      return {std::move(made),    std::move(tolerant.fitted), std::move(vertices),
+              std::move(history), tolerant.left_out,          met};
     }
     for (const Index each : next) {
       chosen.push_back(each);

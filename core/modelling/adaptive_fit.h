@@ -50,11 +50,12 @@ struct AdaptiveFit {
   Fit<3> fitted;                      ///< likewise
   std::vector<Index> chosen;          ///< indices of its points in the model
   std::vector<AdaptiveStep> history;  ///< at least one round; the last is what was returned
+  Index left_out = 0;                 ///< constraints of the last round that the solver could not take
   bool met = false;                   ///< the tolerance holds at every point of the model
 };
 
 /// Fits until the tolerance is met, `most` is reached or nothing is left to add. Throws as constraints_from
-/// and fit do; Cancelled.
+/// and fit_tolerantly do; Cancelled.
 AdaptiveFit fit_adaptively(const TriangleMesh& mesh, const AdaptiveFitOptions& options = {},
                            const Progress& progress = {});
 AdaptiveFit fit_adaptively(const PointCloud& cloud, const AdaptiveFitOptions& options = {},
