@@ -83,6 +83,12 @@ class Continuation {
   void keep_range();
 
  private:
+  // A cube of the wave, and its place among all that were looked at.
+  struct Visit {
+    Key key;
+    int number;
+    std::array<int, 8> corner;
+  };
   void evaluate_corners();
 
   const Lattice& lattice_;
@@ -90,7 +96,8 @@ class Continuation {
   const MemoryBound& memory_;
   KeyMap numbers_, looked_at_;
   std::vector<bool> crossed_;
-  std::vector<Key> wave_, blocked_;
+  std::vector<Visit> wave_;
+  std::vector<Key> blocked_;
   CrossedCubes found_;
 };
 

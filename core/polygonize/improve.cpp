@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/polygonize/half_edges.h"
 #include "core/polygonize/project.h"
 
@@ -13,23 +14,36 @@ namespace {
 // An edge shorter than this many cubes collapses. Lattice edges' crossings are half a cube to 1.4 cubes apart
 // where the lattice is at its best.
 constexpr double short_edge = 0.45;
-// Below a third of the equilateral triangle's, the sine of an angle may not be made smaller.
-constexpr double good_sine = 0.3;
+// Qualities are squared sines of the smallest angle: no roots in the inner loops. Below the first, 17
+// degrees, an angle may not be made smaller by a collapse; the second, 30 degrees, is good enough for
+// sliding.
+constexpr double good_for_collapse = 0.09, good_for_slide = 0.25;
+// A triangle better than this, 37 degrees, is left as it is.
+constexpr double good_as_it_is = 0.36;
 // Cosine of the largest turn of a triangle that a move may make, and of the fold across an edge that flips.
 constexpr double largest_turn = 0.5;
 constexpr double largest_fold = 0.8;
 constexpr double slide = 0.3;  // farthest, in cubes
-constexpr int rounds = 2;
+constexpr int rounds = 3;
 
 using Vector = Point<3>;
 
 Vector normal_of(const Vector& a, const Vector& b, const Vector& c) { return (b - a).cross(c - a); }
 
-// The sine of a triangle's smallest angle: twice the area over the product of the two longer sides.
-double sine_of(const Vector& a, const Vector& b, const Vector& c, double double_area) {
+// The squared sine of a triangle's smallest angle: twice the area over the product of the two longer sides.
+double quality_of(const Vector& a, const Vector& b, const Vector& c, const Vector& normal) {
   const double x = (b - a).squaredNorm(), y = (c - b).squaredNorm(), z = (a - c).squaredNorm();
-  const double product = x * y * z, shortest = std::min({x, y, z});
-  return shortest > 0 ? double_area / std::sqrt(product / shortest) : 0.0;
+  const double shortest = std::min({x, y, z});
+  return shortest > 0 ? normal.squaredNorm() * shortest / (x * y * z) : 0.0;
+}
+double quality_of(const Vector& a, const Vector& b, const Vector& c) {
+  return quality_of(a, b, c, normal_of(a, b, c));
+}
+
+// Whether the angle between a and b has a cosine of `cosine` > 0 or more.
+bool within(const Vector& a, const Vector& b, double cosine) {
+  const double dot = a.dot(b);
+  return dot > 0 && dot * dot >= cosine * cosine * a.squaredNorm() * b.squaredNorm();
 }
 
 class Improver {
@@ -54,9 +68,14 @@ class Improver {
   bool may_become(int v, int other) const;
   bool try_collapse(int h);
   bool try_collapse_into(int h);
+  void try_flip(int h);
   // Whether the triangles around v (but those of half-edge `without` and its twin, if any) may have v at
-  // `to`. `least` is the smallest sine there, `fresh` what it would be.
+  // `to`. `least` is the worst quality there, `fresh` what it would be.
   bool may_move(int v, const Vector& to, int without, double& least, double& fresh) const;
+
+  // The faces that are not good as they are, in order. Flips and slides look at no others: most of a mesh is
+  // good from the start.
+  std::vector<int> needy_faces() const;
 
   LatticeMesh& mesh_;
   HalfEdges net_;
@@ -72,10 +91,9 @@ bool Improver::may_move(int v, const Vector& to, int without, double& least, dou
     if (!may || h / 3 == dead || h / 3 == dead_too) return;
     const Vector b = at(net_.target(h)), c = at(net_.origin(HalfEdges::previous(h)));
     const Vector before = normal_of(from, b, c), after = normal_of(to, b, c);
-    const double old_area = before.norm(), new_area = after.norm();
-    least = std::min(least, sine_of(from, b, c, old_area));
-    fresh = std::min(fresh, sine_of(to, b, c, new_area));
-    may = old_area == 0 || before.dot(after) > largest_turn * old_area * new_area;
+    least = std::min(least, quality_of(from, b, c, before));
+    fresh = std::min(fresh, quality_of(to, b, c, after));
+    may = before.isZero(0) || within(before, after, largest_turn);
   });
   return may;
 }
@@ -105,9 +123,9 @@ bool Improver::try_collapse_into(int h) {
     if (dying < 0) continue;
     const Vector x = at(net_.origin(dying)), y = at(net_.target(dying)),
                  z = at(net_.origin(HalfEdges::previous(dying)));
-    least = std::min(least, sine_of(x, y, z, normal_of(x, y, z).norm()));
+    least = std::min(least, quality_of(x, y, z));
   }
-  if (fresh < std::min(least, good_sine)) return false;
+  if (fresh < std::min(least, good_for_collapse)) return false;
   net_.collapse(h);
   if (swap) mesh_.copy_vertex(b, a);
   mesh_.positions.col(a) = to;
@@ -142,33 +160,50 @@ void Improver::collapse_below(double length) {
   }
 }
 
+std::vector<int> Improver::needy_faces() const {
+  const Index count = net_.size() / 3;
+  std::vector<char> needy(static_cast<std::size_t>(count), 0);
+  parallel_blocks(count, 4096, [&](Index begin, Index end) {
+    for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f)
+      if (net_.is_alive(3 * f))
+        needy[static_cast<std::size_t>(f)] = quality_of(at(net_.origin(3 * f)), at(net_.origin(3 * f + 1)),
+                                                        at(net_.origin(3 * f + 2))) < good_as_it_is;
+  });
+  std::vector<int> faces;
+  for (int f = 0; f < static_cast<int>(count); ++f)
+    if (needy[static_cast<std::size_t>(f)]) faces.push_back(f);
+  return faces;
+}
+
 void Improver::flip_all() {
-  for (int h = 0; h < net_.size(); ++h) {
-    const int t = net_.is_alive(h) ? net_.twin(h) : -1;
-    if (t < h) continue;
-    const int p = net_.origin(h), q = net_.target(h), r = net_.origin(HalfEdges::previous(h)),
-              s = net_.origin(HalfEdges::previous(t));
-    const Vector a = at(p), b = at(q), c = at(r), d = at(s);
-    const Vector n1 = normal_of(a, b, c), n2 = normal_of(b, a, d);
-    const double area1 = n1.norm(), area2 = n2.norm();
-    const double before = std::min(sine_of(a, b, c, area1), sine_of(b, a, d, area2));
-    if (n1.dot(n2) < largest_fold * area1 * area2) continue;
-    const Vector m1 = normal_of(d, c, a), m2 = normal_of(c, d, b);
-    const double new1 = m1.norm(), new2 = m2.norm();
-    const double after = std::min(sine_of(d, c, a, new1), sine_of(c, d, b, new2));
-    if (after < 1.05 * before || after < before + 1e-3) continue;
-    const Vector n = n1 + n2;
-    if (m1.dot(m2) < largest_fold * new1 * new2 || m1.dot(n) < largest_fold * new1 * n.norm() ||
-        m2.dot(n) < largest_fold * new2 * n.norm())
-      continue;
-    if (net_.can_flip(h)) net_.flip(h);
-  }
+  for (const int face : needy_faces())
+    for (int h = 3 * face; h < 3 * face + 3; ++h) try_flip(h);
+}
+
+void Improver::try_flip(int h) {
+  const int t = net_.twin(h);
+  if (t < 0) return;
+  const int p = net_.origin(h), q = net_.target(h), r = net_.origin(HalfEdges::previous(h)),
+            s = net_.origin(HalfEdges::previous(t));
+  const Vector a = at(p), b = at(q), c = at(r), d = at(s);
+  const Vector n1 = normal_of(a, b, c), n2 = normal_of(b, a, d);
+  if (!within(n1, n2, largest_fold)) return;
+  const double before = std::min(quality_of(a, b, c, n1), quality_of(b, a, d, n2));
+  const Vector m1 = normal_of(d, c, a), m2 = normal_of(c, d, b);
+  const double after = std::min(quality_of(d, c, a, m1), quality_of(c, d, b, m2));
+  if (after < 1.1 * before || after < before + 1e-4) return;
+  const Vector n = n1 + n2;
+  if (!within(m1, m2, largest_fold) || !within(m1, n, largest_fold) || !within(m2, n, largest_fold)) return;
+  if (net_.can_flip(h)) net_.flip(h);
 }
 
 void Improver::slide_all(Sampler& sampler) {
   std::vector<int> movable;
-  for (int v = 0; v < static_cast<int>(mesh_.vertices()); ++v)
-    if (net_.leaving(v) >= 0 && !is_fixed(v)) movable.push_back(v);
+  for (const int f : needy_faces())
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      if (!is_fixed(net_.origin(h))) movable.push_back(net_.origin(h));
+  std::sort(movable.begin(), movable.end());
+  movable.erase(std::unique(movable.begin(), movable.end()), movable.end());
   Points<3> targets(3, static_cast<Index>(movable.size()));
   for (std::size_t i = 0; i < movable.size(); ++i) {
     const Vector here = at(movable[i]);
@@ -190,7 +225,7 @@ void Improver::slide_all(Sampler& sampler) {
     if (!projected.good[i]) continue;
     const Vector to = projected.positions.col(static_cast<Index>(i));
     double least = 1, fresh = 1;
-    if (may_move(movable[i], to, -1, least, fresh) && fresh >= std::min(least, 0.5))
+    if (may_move(movable[i], to, -1, least, fresh) && fresh >= std::min(least, good_for_slide))
       mesh_.positions.col(movable[i]) = to;
   }
 }
@@ -199,12 +234,10 @@ void Improver::slide_all(Sampler& sampler) {
 
 double smallest_angle(const Points<3>& positions, const Faces& faces) {
   double least = 1;
-  for (Index f = 0; f < faces.cols(); ++f) {
-    const Vector a = positions.col(faces(0, f)), b = positions.col(faces(1, f)),
-                 c = positions.col(faces(2, f));
-    least = std::min(least, sine_of(a, b, c, normal_of(a, b, c).norm()));
-  }
-  return faces.cols() == 0 ? 0.0 : std::asin(least) * (180 / 3.14159265358979323846);
+  for (Index f = 0; f < faces.cols(); ++f)
+    least = std::min(least, quality_of(positions.col(faces(0, f)), positions.col(faces(1, f)),
+                                       positions.col(faces(2, f))));
+  return faces.cols() == 0 ? 0.0 : std::asin(std::sqrt(least)) * (180 / 3.14159265358979323846);
 }
 
 void collapse_empty_edges(LatticeMesh& mesh, double cell) {

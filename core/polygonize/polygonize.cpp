@@ -16,7 +16,7 @@ namespace {
 
 // How well roots on lattice edges are found, in cubes. Where vertices will slide and be polished anyway, a
 // root need only be on the right sheet.
-constexpr double rough = 1e-3, fine = 1e-13;
+constexpr double rough = 1e-2, fine = 1e-13;
 // How far polishing may move a vertex, in cubes.
 constexpr double polish_leash = 0.25;
 // Half the cube makes so many times the bytes and cubes; a little more than four.
