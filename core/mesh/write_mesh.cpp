@@ -34,6 +34,11 @@ void append_numbers(std::string& text, const Column& p, char between = ' ') {
   }
 }
 
+void append_line(std::string& text, const char* word, const Column& p) {
+  append_numbers(text += word, p);
+  text += '\n';
+}
+
 template <class Unsigned>
 void append_little_endian(std::string& bytes, Unsigned value) {
   for (std::size_t k = 0; k < sizeof(value); ++k) bytes += static_cast<char>(value >> (8 * k) & 0xFF);
@@ -51,10 +56,8 @@ void append_index(std::string& bytes, int value) {
 std::string obj_of(const TriangleMesh& mesh) {
   std::string text =
       "# " + counted(mesh.vertices.cols(), "vertex") + ", " + counted(mesh.faces.cols(), "face") + "\n";
-  for (Index v = 0; v < mesh.vertices.cols(); ++v)
-    append_numbers(text += "v ", mesh.vertices.col(v)), text += '\n';
-  for (Index v = 0; v < mesh.normals.cols(); ++v)
-    append_numbers(text += "vn ", mesh.normals.col(v)), text += '\n';
+  for (Index v = 0; v < mesh.vertices.cols(); ++v) append_line(text, "v ", mesh.vertices.col(v));
+  for (Index v = 0; v < mesh.normals.cols(); ++v) append_line(text, "vn ", mesh.normals.col(v));
   for (Index f = 0; f < mesh.faces.cols(); ++f) {
     text += 'f';
     for (int k = 0; k < 3; ++k) {
@@ -127,7 +130,7 @@ std::string stl_of(const TriangleMesh& mesh, bool text) {
     if (text) {
       append_numbers(bytes += "facet normal ", normal);
       bytes += "\n outer loop\n";
-      for (int k = 0; k < 3; ++k) append_numbers(bytes += "  vertex ", corner(k)), bytes += '\n';
+      for (int k = 0; k < 3; ++k) append_line(bytes, "  vertex ", corner(k));
       bytes += " endloop\nendfacet\n";
     } else {
       for (int d = 0; d < 3; ++d) append_float(bytes, normal[d]);
