@@ -11,7 +11,7 @@ and, where they differ by more than a tenth, the smallest and the largest. Absol
 this minute's; ratios travel better. On one core, times are processor time, so that other programs do not count; on
 all cores they are wall time, so let the machine be idle: a row is not judged ("busy") where others took a tenth of it.
 
-How to add a benchmark. In C++: a round in bench/fit.cpp or bench/evaluate.cpp, whose contestants each call
+How to add a benchmark. In C++: a round in bench/fit.cpp, evaluate.cpp or extract.cpp, whose contestants each call
 `turns.take("name", work)` (bench/turns.h), and here a `table.row` that reads that counter from `rounds`. A
 contestant in Python is a function in bench/scipy_side.py. What may be compared: the same data, the same number of
 threads, the same turn.
@@ -182,12 +182,47 @@ def threads_section(table, repetitions):
                         [r["1_work"] for r in rounds], at_most(1.2))
 
 
+BUNNY = pathlib.Path("/usr/share/glmark2/models/bunny.obj")
+
+
+def extraction_section(table, repetitions):
+    """The paper's bunny: its fit and its polygons, beside the paper's own times and the bare cost of the field."""
+    if not BUNNY.exists():
+        print(f"\nEXTRACTION\n  left out: {BUNNY} is missing (Debian: glmark2-data)")
+        return
+    one, everything = contestants.one_core(), contestants.all_cores()
+    for cores in [one] + ([everything] if everything.count > 1 else []):
+        table.section(f"EXTRACTION on {cores.words}", "the bunny of 800 boundary and 800 normal constraints, 100 cubes "
+                      "across. Bare: as many values and gradients, in one batch each")
+        rounds = contestants.rounds("bench_extract", "extract/bunny", cores, repetitions)
+        fits, extractions = [r["fit"] for r in rounds], [r["extraction"] for r in rounds]
+        both = [a + b for a, b in zip(fits, extractions)]
+        table.head(f"{rounds[0]['faces']:.0f} triangles, smallest angle {rounds[0]['smallest_angle']:.0f} degrees",
+                   others_on(cores, rounds))
+        table.times("extraction / bare evaluations", extractions, [r["bare"] for r in rounds], at_most(1.5))
+        table.times("fit and extraction / one second", both, [1.0] * len(both),
+                    at_most(1.0) if cores.count == 2 else None)
+        table.speedup("fit / the paper's, 103 s", fits, [103.0] * len(fits), None)
+        table.speedup("extraction / the paper's, 463 s", extractions, [463.0] * len(fits), None)
+        # The steps' own clocks are wall clocks.
+        for step in ("lattice", "assemble", "seeds", "improve", "polish") if cores.count > 1 else ():
+            table.share(f"{step} / extraction", [r[step] for r in rounds], extractions)
+    if everything.count > 1:
+        rounds = contestants.rounds("bench_extract", "threads/bunny", everything, repetitions)
+        table.head("threads", others_on(everything, rounds))
+        alone = [r["1"] for r in rounds]
+        for count in sorted(int(key) for key in rounds[0] if key.isdigit() and key != "1"):
+            table.speedup(f"{count} threads, theirs: one", [r[str(count)] for r in rounds], alone, None)
+            table.times(f"{count} threads, processor time", [r[f"{count}_work"] for r in rounds],
+                        [r["1_work"] for r in rounds], at_most(1.2))
+
+
 def main():
     parser = argparse.ArgumentParser(description="Seesaw's benchmarks, as a table with ratios and aims")
     parser.add_argument("--quick", action="store_true", help="a few seconds: only to see that everything runs")
     parser.add_argument("--full", action="store_true", help="also N = 6000")
     parser.add_argument("--programs", default=HERE.parent / "build/release/bin", type=pathlib.Path,
-                        help="where bench_fit, bench_evaluate and bench_memory are")
+                        help="where bench_fit, bench_evaluate, bench_extract and bench_memory are")
     options = parser.parse_args()
     contestants.PROGRAMS = options.programs
 
@@ -204,6 +239,7 @@ def main():
     error_section(table, options.quick)
     if contestants.all_cores().count > 1:
         threads_section(table, 1 if options.quick else 5)
+    extraction_section(table, 1 if options.quick else 5)
     table.summary(machine.load())
 
 
