@@ -14,7 +14,8 @@
 
 #include <CLI/CLI.hpp>
 
-#define SEESAW_COMMANDS(command) command(info) command(eval) command(contour) command(check)
+#define SEESAW_COMMANDS(command) \
+  command(info) command(eval) command(contour) command(check) command(fit) command(blend)
 
 namespace seesaw {
 

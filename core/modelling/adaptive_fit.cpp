@@ -105,6 +105,7 @@ AdaptiveFit run(const Model& given, const AdaptiveFitOptions& options, const Pro
     making.chosen.clear();
     for (const Index each : chosen) making.chosen.push_back(samples.vertices[static_cast<std::size_t>(each)]);
     ModelConstraints made = constraints_from(model, making);
+    made.constraints.insert(made.constraints.end(), options.around.begin(), options.around.end());
     TolerantFit tolerant = fit_tolerantly(made.constraints, {.kernel = options.kernel, .condition = false});
     const Fit<3>& fitted = tolerant.fitted;
     // Where the model was moved to the unit cube, so are its points.

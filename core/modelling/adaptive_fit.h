@@ -32,6 +32,9 @@ struct AdaptiveFitOptions {
   double growth = 0.3;
   /// How points become constraints; `chosen` is ours.
   ModelConstraintOptions constraints = {};
+  /// Further constraints of every round, such as a cage around an open scan, in the coordinates of the
+  /// result.
+  Constraints<3> around = {};
   /// None: the papers' |x|^3.
   std::optional<Kernel> kernel = std::nullopt;
 };

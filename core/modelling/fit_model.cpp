@@ -8,8 +8,10 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/simplify.h"
 #include "core/mesh/vertex_normals.h"
+#include "core/modelling/cage.h"
 #include "core/modelling/point_sampling.h"
 #include "core/modelling/tolerant_fit.h"
+#include "core/modelling/triangle_tree.h"
 
 namespace seesaw {
 
@@ -84,6 +86,31 @@ ModelConstraints choose(const PointCloud& cloud, Index count, const FitModelOpti
   return constraints_from(cloud, making, progress);
 }
 
+Faces faces_of(const TriangleMesh& mesh) { return mesh.faces; }
+Faces faces_of(const PointCloud& cloud) {
+  Faces faces(3, cloud.points.cols());
+  for (Index i = 0; i < faces.cols(); ++i) faces.col(i).setConstant(static_cast<int>(i));
+  return faces;
+}
+const Points<3>& all_points_of(const TriangleMesh& mesh) { return mesh.vertices; }
+const Points<3>& all_points_of(const PointCloud& cloud) { return cloud.points; }
+
+/// Exterior constraints on a box around the model, in the coordinates of the result.
+template <class Model>
+Constraints<3> cage_around(const Model& model, const Box<3>& box, const ModelConstraintOptions& options) {
+  constexpr double margin = 0.15;  // of the longest side
+  const UnitCube cube = UnitCube::of(box);
+  const TriangleTree tree(cube.apply(all_points_of(model)), faces_of(model));
+  const Point<3> sides = box.sizes() / cube.scale + Point<3>::Constant(2 * margin);
+  Constraints<3> cage = cube_cage(Point<3>::Zero(), 1, 3);
+  for (Constraint<3>& each : cage) {
+    each.at = each.at.cwiseProduct(sides);
+    each.value = -options.value * tree.nearest(each.at).distance / options.offset;
+    if (!options.to_unit_cube) each.at = cube.center + cube.scale * each.at;
+  }
+  return cage;
+}
+
 void refuse_without_normals(const ModelConstraintReport& report) {
   if (report.normal > 0 || report.boundary == 0) return;
   throw Error(
@@ -95,11 +122,16 @@ void refuse_without_normals(const ModelConstraintReport& report) {
 template <class Model>
 FittedModel run(const Model& given, const FitModelOptions& options, const Progress& progress) {
   const bool open = is_open(given);
-  const bool turn = options.turn_normals && open && outwardness(given) < -0.1;
+  const bool inward = open && outwardness(given) < -0.1;
+  const bool turn = options.turn_normals && inward;
   const Model turned_model = turn ? turned(given) : Model();
   const Model& model = turn ? turned_model : given;
   const Points<3> points = points_of(model);
   if (points.cols() == 0) constraints_from(model, options.constraints);  // says what is missing
+
+  const Box<3> box = bounding_box_of<3>(points);
+  const bool caged = options.cage && open && (turn || !inward) && box.sizes().maxCoeff() > 0;
+  const Constraints<3> cage = caged ? cage_around(model, box, options.constraints) : Constraints<3>();
 
   if (options.tolerance) {
     AdaptiveFit made = fit_adaptively(model,
@@ -107,6 +139,7 @@ FittedModel run(const Model& given, const FitModelOptions& options, const Progre
                                        .start = options.vertices.value_or(std::min<Index>(400, options.most)),
                                        .most = options.most,
                                        .constraints = options.constraints,
+                                       .around = cage,
                                        .kernel = options.kernel},
                                       progress);
     refuse_without_normals(made.made.report);
@@ -119,6 +152,7 @@ FittedModel run(const Model& given, const FitModelOptions& options, const Progre
             .points = points.cols(),
             .turned = turn,
             .left_out = made.left_out,
+            .cage = static_cast<Index>(cage.size()),
             .open = open,
             .met = made.met,
             .history = std::move(made.history)};
@@ -131,11 +165,12 @@ FittedModel run(const Model& given, const FitModelOptions& options, const Progre
   ModelConstraints made = count >= all ? constraints_from(model, options.constraints, progress)
                                        : choose(model, count, options, choice, trouble, progress);
   refuse_without_normals(made.report);
+  made.constraints.insert(made.constraints.end(), cage.begin(), cage.end());
   report(progress, 0.3);
   TolerantFit tolerant = fit_tolerantly(made.constraints, {.kernel = options.kernel, .condition = false});
   report(progress, 0.9);
   const bool moved = options.constraints.to_unit_cube;
-  const UnitCube cube = UnitCube::of(bounding_box_of<3>(points));
+  const UnitCube cube = UnitCube::of(box);
   const Points<3> here = moved ? made.report.cube.apply(points) : points;
   const double unit = moved ? 1.0 : cube.scale;
   const Values errors = distances_to_surface(tolerant.fitted.function, here, 5e-4 * unit) / unit;
@@ -148,6 +183,7 @@ FittedModel run(const Model& given, const FitModelOptions& options, const Progre
           .points = points.cols(),
           .turned = turn,
           .left_out = tolerant.left_out,
+          .cage = static_cast<Index>(cage.size()),
           .open = open,
           .trouble = std::move(trouble)};
 }
