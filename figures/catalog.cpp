@@ -3,24 +3,40 @@
 namespace seesaw {
 
 Figure turk2002_fig01(const FigureContext&);
+Figure turk2002_fig02(const FigureContext&);
+Figure turk2002_fig03(const FigureContext&);
 Figure turk2002_fig04(const FigureContext&);
 Figure turk2002_fig05(const FigureContext&);
+Figure turk2002_fig06(const FigureContext&);
+Figure turk2002_fig09(const FigureContext&);
+Figure turk2002_fig10(const FigureContext&);
 Figure seesaw_figure(const FigureContext&);
 Figure energy_figure(const FigureContext&);
 Figure knot_insertion(const FigureContext&);
 Figure height_field(const FigureContext&);
 Figure kernels_figure(const FigureContext&);
+Figure blend_bulge(const FigureContext&);
+Figure interference_figure(const FigureContext&);
+Figure bunny_timing(const FigureContext&);
 
 const std::vector<FigureEntry>& catalog() {
   static const std::vector<FigureEntry> entries = {
       {"turk2002-fig01", "curves from boundary constraints and one interior constraint", turk2002_fig01},
+      {"turk2002-fig02", "surfaces from interior constraints", turk2002_fig02},
+      {"turk2002-fig03", "a fist, polygons and the surface through them", turk2002_fig03},
       {"turk2002-fig04", "curves inside a cage of exterior constraints", turk2002_fig04},
       {"turk2002-fig05", "one normal constraint bends a curve", turk2002_fig05},
+      {"turk2002-fig06", "the bunny, polygons and the surface through them", turk2002_fig06},
+      {"turk2002-fig09", "three tori, blended", turk2002_fig09},
+      {"turk2002-fig10", "two surfaces ray traced, and constructive solid geometry", turk2002_fig10},
       {"seesaw", "each boundary constraint acts much like a see-saw", seesaw_figure},
       {"energy", "bending energy from the weights and by quadrature", energy_figure},
       {"knot-insertion", "new boundary constraints leave the curve unchanged", knot_insertion},
       {"height-field", "a thin-plate height field, and why it cannot close", height_field},
       {"kernels", "the same constraints under three kernels", kernels_figure},
+      {"blend-bulge", "summed blobbies bulge, the interpolating blend does not", blend_bulge},
+      {"interference", "two solids moved together: where they interfere", interference_figure},
+      {"bunny-timing", "solving and extracting the bunny, then and now", bunny_timing},
   };
   return entries;
 }

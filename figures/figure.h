@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/image/canvas.h"
 
@@ -53,13 +54,26 @@ struct Figure {
   std::vector<Panel> panels = {};
   std::size_t columns = 0;  ///< panels side by side; 0 for all of them
   std::vector<Check> checks = {};
+  /// The picture shows this machine's times, so no two are alike: tests compare its layout only.
+  bool shows_times = false;
 
   bool holds() const;
+};
+
+/// A figure wants a model from a package that is not installed. The others are made all the same.
+class MissingPackage : public Error {
+ public:
+  MissingPackage(const std::string& package, const std::filesystem::path& file)
+      : Error("needs the Debian package " + package + " (no file " + file.string() +
+              "); ./run setup installs it") {}
 };
 
 /// What every figure is given.
 struct FigureContext {
   std::filesystem::path scenes;  ///< the folder of scene files
+  std::filesystem::path data;    ///< the folder of polygon models
+  /// Of ray-traced pictures; drawings are sharp at any size.
+  double pixels_per_point = 2;
   Progress progress = {};
 };
 

@@ -111,6 +111,11 @@ std::string gallery_page(const std::vector<Facts>& descriptions) {
   html += "</nav>\n";
   for (const Facts& figure : descriptions) {
     const std::string id = shown(figure["figure"]);
+    if (figure.contains("missing")) {
+      html += "<section id=\"" + id + "\">\n<h2>" + shown(figure["title"]) +
+              "</h2>\n<p>Not made: " + shown(figure["missing"]) + ".</p>\n</section>\n";
+      continue;
+    }
     html += "<section id=\"" + id + "\">\n<h2>" + shown(figure["title"]) + "</h2>\n<p class=source>" +
             shown(figure["paper"]) + " \u00b7 <code>" + id + "</code></p>\n<p>" + shown(figure["shows"]) +
             "</p>\n<a href=\"" + id + ".png\"><img src=\"" + id + ".png\" alt=\"" + shown(figure["title"]) +

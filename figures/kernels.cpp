@@ -1,6 +1,8 @@
 // The same constraints under each kernel (T&O 2002, section 3): three functions, three curves, three
 // energies.
 #include "figures/scene_panel.h"
+#include "figures/studio.h"
+#include "figures/surface.h"
 
 namespace seesaw {
 
@@ -9,13 +11,49 @@ namespace {
 const char* formula_of(Kernel kernel) {
   switch (kernel) {
     case Kernel::thin_plate_spline:
-      return "r\u00b2 log r, the thin plate";
+      return "r\u00b2 log r";
     case Kernel::cubic:
       return "r\u00b3";
     case Kernel::linear:
       return "r";
   }
   return "";
+}
+
+// The 3D half: one set of constraints under |x|^3 and |x|. Returns the sharpest Hessian beside a center, for
+// each.
+std::vector<double> add_surfaces(Figure& figure, const FigureContext& context) {
+  const Document<3> document = scene_named(context, "kernels-3d");
+  const Constraints<3> constraints = constraints_of(document);
+  std::vector<double> sharpest;
+  std::optional<PinholeCamera> camera;
+  for (const Kernel kernel : all_kernels) {
+    const std::string name = std::string(name_of(kernel)) + "-3d";
+    const SurfacePointer surface = fit_surface(
+        constraints,
+        {.cells = 60, .halvings = 0},  // the cones of |x| have dimples that no lattice is fine enough for
+        {.kernel = kernel});
+    Scene scene;
+    scene.meshes.push_back(smooth_surface(surface->polygons.mesh, surface::clay));
+    scene.spheres.push_back(markers(boundary_points(constraints), 0.05));
+    if (!camera) camera = camera_for(document, scene, {.margin = 0.1});
+    scene.floor = floor_under(bounding_box(scene), camera->up);
+    Panel panel = studio_panel(context, name, std::string(formula_of(kernel)) + ", in space", scene,
+                               {.camera = *camera});
+    panel.facts.update(surface_facts(*surface));
+    const auto& f = surface->function();
+    double bend = 0;  // the largest |Hessian| a thousandth from a boundary constraint
+    for (Index i = 0; i < f.size(); ++i)
+      bend = std::max(bend, f.hessian(f.centers().col(i) + Point<3>(1e-3, 0, 0)).norm());
+    panel.facts["hessian_beside_a_center"] = bend;
+    sharpest.push_back(bend);
+    figure.checks.push_back(residual_check(name, surface->fitted.report));
+    check_topology(figure, name, surface->report, 1, 0);
+    figure.panels.push_back(std::move(panel));
+  }
+  figure.checks.push_back(at_least("in space: the cones of r are sharper than r\u00b3, beside a center",
+                                   sharpest[2] / sharpest[1], 20));
+  return sharpest;
 }
 
 }  // namespace
@@ -68,13 +106,18 @@ Figure kernels_figure(const FigureContext& context) {
       at_least("the cone of r is sharper than the plate, beside a center", bend(2) / bend(0), 5));
   figure.checks.push_back(
       at_most("r\u00b3 is flatter than the plate, beside a center", bend(1) / bend(0), 1));
+  const std::vector<double> in_space = add_surfaces(figure, context);
+  figure.columns = 3;
   figure.caption =
-      "Left, the thin plate: everywhere smooth, its curvature peaking mildly at the constraints. Middle, "
-      "r\u00b3: smoother "
-      "still, and it swings wider. Right, r: least swing, but a cone stands at every constraint and the "
-      "curve has a corner "
-      "in each. Second derivatives at 0.001 from a boundary constraint: " +
-      in_words(bend(0), 2) + ", " + in_words(bend(1), 2) + " and " + in_words(bend(2), 2) + ".";
+      "(a) The thin plate: everywhere smooth, its curvature peaking mildly at the constraints. (b) r\u00b3: "
+      "smoother still, and it swings wider. (c) r: least swing, but a cone stands at every constraint and "
+      "the "
+      "curve has a corner in each. Second derivatives at 0.001 from a boundary constraint: " +
+      in_words(bend(0), 2) + ", " + in_words(bend(1), 2) + " and " + in_words(bend(2), 2) +
+      ". (d\u2013f) The same in space: r\u00b2 log r is tighter than r\u00b3, and r is a film that comes to "
+      "a "
+      "point in every constraint (" +
+      in_words(in_space[0], 2) + ", " + in_words(in_space[1], 2) + " and " + in_words(in_space[2], 2) + ").";
   return figure;
 }
 

@@ -48,11 +48,20 @@ int make_figures(const std::vector<std::string>& ids, const std::filesystem::pat
   const auto entries = entries_of(ids);
   const bool all = std::find(ids.begin(), ids.end(), "all") != ids.end();
   std::vector<Facts> descriptions;
+  FigureContext context = figure_context();
+  context.pixels_per_point = scale;
   bool holds = true;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     std::cout << '[' << i + 1 << '/' << entries.size() << "] " << entries[i]->id << std::flush;
     const auto start = std::chrono::steady_clock::now();
-    const Figure figure = entries[i]->make({scenes_folder(), {}});
+    Figure figure;
+    try {
+      figure = entries[i]->make(context);
+    } catch (const MissingPackage& missing) {
+      std::cout << "  not made: " << missing.what() << '\n';
+      descriptions.push_back(description_of_missing(*entries[i], missing.what()));
+      continue;
+    }
     write_figure(figure, folder, scale);
     if (update_references) write_reference(figure, reference_folder());
     descriptions.push_back(description_of(figure));

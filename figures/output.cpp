@@ -50,6 +50,15 @@ Facts description_of(const Figure& figure) {
   return result;
 }
 
+Facts description_of_missing(const FigureEntry& entry, const std::string& reason) {
+  Facts result;
+  result["figure"] = entry.id;
+  result["title"] = entry.summary;
+  result["panels"] = result["checks"] = Facts::array();
+  result["missing"] = reason;
+  return result;
+}
+
 void write_figure(const Figure& figure, const std::filesystem::path& folder, double scale) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);

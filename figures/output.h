@@ -8,6 +8,10 @@ namespace seesaw {
 /// The content of ID.json: figure, paper, title, shows, caption, panels (name, png, facts), checks, holds.
 Facts description_of(const Figure& figure);
 
+/// What stands for it where the figure could not be made: figure, title, no panels, no checks, and `missing`,
+/// the reason.
+Facts description_of_missing(const FigureEntry& entry, const std::string& reason);
+
 /// Writes ID.png, ID-<panel>.png and ID.json into `folder`, which is made if it is missing; `scale` pixels a
 /// point. Throws FileError.
 void write_figure(const Figure& figure, const std::filesystem::path& folder, double scale = 2);

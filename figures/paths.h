@@ -1,13 +1,20 @@
-// Where the figures' scenes are: beside an installed program, or in the source tree it was built from.
+// Where the figures' scenes and models are: beside an installed program, or in the source tree it was built
+// from.
 #pragma once
 
 #include <filesystem>
+
+#include "figures/figure.h"
 
 namespace seesaw {
 
 /// PREFIX/share/seesaw/scenes if the running program is PREFIX/bin/figures, else figures/scenes of the source
 /// tree.
 std::filesystem::path scenes_folder();
+/// Likewise share/seesaw/data or figures/data.
+std::filesystem::path data_folder();
+/// What a figure is given when nobody listens to its progress.
+FigureContext figure_context();
 
 /// figures/reference of the source tree: pictures that tests compare with.
 std::filesystem::path reference_folder();
