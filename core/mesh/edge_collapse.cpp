@@ -39,8 +39,9 @@ struct Quadric {
 
 class Collapser {
  public:
-  explicit Collapser(const TriangleMesh& mesh)
-      : points_(mesh.vertices),
+  Collapser(const TriangleMesh& mesh, const Progress& progress)
+      : progress_(progress),
+        points_(mesh.vertices),
         faces_(mesh.faces),
         faces_at_(at(mesh.vertices.cols())),
         quadrics_(at(mesh.vertices.cols())),
@@ -71,15 +72,19 @@ class Collapser {
       if (table.halves(e).size() == 1)
         hold_boundary(table.ends(e).a, table.ends(e).b, table.halves(e)[0] / 3);
     for (Index v = 0; v < points_.cols(); ++v) alive_ += !faces_at_[at(v)].empty();
-    for (Index e = 0; e < table.edges(); ++e) offer(table.ends(e).a, table.ends(e).b);
   }
 
   void run(Index vertices) {
-    while (alive_ > vertices && !queue_.empty()) {
-      const Candidate best = queue_.top();
-      queue_.pop();
-      if (best.u_version != version_[at(best.u)] || best.v_version != version_[at(best.v)]) continue;
-      if (allowed(best.u, best.v)) collapse(best.u, best.v);
+    const Index start = alive_;
+    // What was refused may be allowed after others have gone: once more from the start, as long as that
+    // helps.
+    for (Index before = alive_ + 1; alive_ > vertices && alive_ < before;) {
+      before = alive_;
+      const Faces left = faces();
+      const EdgeTable table(left, points_.cols());
+      queue_ = {};
+      for (Index e = 0; e < table.edges(); ++e) offer(table.ends(e).a, table.ends(e).b);
+      drain(start, vertices);
     }
   }
 
@@ -101,6 +106,17 @@ class Collapser {
       return std::tie(other.price, other.u, other.v) < std::tie(price, u, v);
     }
   };
+
+  void drain(Index start, Index vertices) {
+    for (Index step = 0; alive_ > vertices && !queue_.empty(); ++step) {
+      if (step % 1024 == 0)
+        report(progress_, static_cast<double>(start - alive_) / static_cast<double>(start - vertices));
+      const Candidate best = queue_.top();
+      queue_.pop();
+      if (best.u_version != version_[at(best.u)] || best.v_version != version_[at(best.v)]) continue;
+      if (allowed(best.u, best.v)) collapse(best.u, best.v);
+    }
+  }
 
   Point<3> normal_of(const Eigen::Vector3i& face) const {
     const Point<3> a = points_.col(face[0]);
@@ -191,6 +207,7 @@ class Collapser {
     for (const int w : around_v_) offer(v, w);
   }
 
+  const Progress& progress_;
   Points<3> points_;
   Faces faces_;
   std::vector<std::vector<int>> faces_at_;
@@ -205,8 +222,8 @@ class Collapser {
 
 }  // namespace
 
-TriangleMesh collapse_edges(const TriangleMesh& mesh, Index vertices) {
-  Collapser collapser(mesh);
+TriangleMesh collapse_edges(const TriangleMesh& mesh, Index vertices, const Progress& progress) {
+  Collapser collapser(mesh, progress);
   collapser.run(vertices);
   return with_faces(mesh, collapser.faces());
 }

@@ -13,12 +13,13 @@
 //     turn a face over       every face that moves keeps a normal within 78 degrees of its old one
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/mesh/triangle_mesh.h"
 
 namespace seesaw {
 
 /// `mesh`, which must be manifold, with `vertices` vertices, or as few above that as the rules allow.
-/// Vertices that stay keep their places, normals and order. O(V log V).
-TriangleMesh collapse_edges(const TriangleMesh& mesh, Index vertices);
+/// Vertices that stay keep their places, normals and order. O(V log V). Throws Cancelled.
+TriangleMesh collapse_edges(const TriangleMesh& mesh, Index vertices, const Progress& progress = {});
 
 }  // namespace seesaw

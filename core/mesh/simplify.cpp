@@ -93,25 +93,25 @@ TriangleMesh simplify(const TriangleMesh& mesh, Index vertices, const Progress& 
   if (!wanted.manifold) return nearest_below(original, vertices, progress);
 
   const Bulk bulk(original);
+  const Index all_faces = original.faces.cols();
+  const double share = static_cast<double>(vertices) / static_cast<double>(original.vertices.cols());
+  Index faces = wanted.closed ? 2 * (vertices - wanted.euler_characteristic)
+                              : static_cast<Index>(share * static_cast<double>(all_faces));
   Index reached = original.vertices.cols();
-  // First the number itself, then ever more vertices, of which the rest goes one by one; in the end all of
-  // them.
-  Index aim = vertices;
-  for (int attempt = 0;; ++attempt) {
+  // What is asked for in addition after a result that is damaged or too small grows, in the end to all faces.
+  Index more = 8 + vertices / 50;
+  for (int attempt = 0;; ++attempt, more *= 4) {
     report(progress, attempt / 12.0);
-    const bool whole = aim >= original.vertices.cols();
-    const double share = static_cast<double>(aim) / static_cast<double>(original.vertices.cols());
-    const Index faces = wanted.closed
-                            ? 2 * (aim - wanted.euler_characteristic)
-                            : static_cast<Index>(share * static_cast<double>(original.faces.cols()));
+    const bool whole = faces >= all_faces;
     TriangleMesh tried = whole ? original : bulk.with_faces_about(faces);
-    if (tried.vertices.cols() >= vertices && (whole || same_topology(check_mesh(tried), wanted))) {
-      if (tried.vertices.cols() > vertices) tried = collapse_edges(tried, vertices);
+    const Index short_of = vertices - tried.vertices.cols();
+    if (short_of <= 0 && (whole || same_topology(check_mesh(tried), wanted))) {
+      if (short_of < 0) tried = collapse_edges(tried, vertices, progress);
       reached = std::min(reached, tried.vertices.cols());
       if (reached == vertices && same_topology(check_mesh(tried), wanted)) return tried;
     }
     if (whole) break;
-    aim = attempt == 0 ? vertices + std::max<Index>(8, vertices / 50) : vertices + 2 * (aim - vertices);
+    faces += 2 * std::max<Index>(0, short_of) + more;
   }
   throw Error("this mesh cannot be simplified to " + std::to_string(vertices) + " vertices without damage; " +
               std::to_string(reached) + " were reached");

@@ -2,11 +2,13 @@
 //
 // Before it: a mesh, best closed and manifold.  After it: constraints (core/modelling), one or two a vertex.
 //
-// meshoptimizer's edge collapse by quadrics does the bulk. It counts faces, and it may tear or pinch a thin
-// part; so each of its results is measured (mesh_check.h), and only one with the topology of the original is
-// taken. The last vertices on the way to the exact number are then taken out one by one (edge_collapse.h),
-// which never changes the topology. Of a closed surface with V vertices and Euler characteristic chi, F = 2
-// (V - chi).
+// meshoptimizer's edge collapse by quadrics does the bulk. It counts faces, and it does not look after the
+// topology: of the bunny's 34,835 vertices it makes 800 without damage, but pinches an edge on the way to
+// 3,000. So each of its results is measured (mesh_check.h) and only one with the topology of the original is
+// taken, if need be with more vertices than asked for, in the worst case the original. The vertices that are
+// then too many are taken out one by one (edge_collapse.h), which never changes the topology: fast for the
+// last few, tens of seconds for half a million. Of a closed surface with V vertices and Euler characteristic
+// chi, F = 2 (V - chi).
 #pragma once
 
 #include "core/base/progress.h"
