@@ -61,9 +61,12 @@ Reader reader_by_first_line(std::string_view bytes) {
   return parse_number(word) ? read_points : nullptr;
 }
 
-void refuse_what_is_no_text(std::string_view bytes, const std::string& name) {
+void refuse_empty(std::string_view bytes, const std::string& name) {
   if (bytes.find_first_not_of(std::string_view(" \t\r\n\0", 5)) == std::string_view::npos)
     throw FileError(name, "is empty");
+}
+
+void refuse_utf16(std::string_view bytes, const std::string& name) {
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
     throw FileError(name, "is text in UTF-16; save it as UTF-8");
 }
@@ -106,7 +109,8 @@ Model model_of(const PolygonSoup& soup, const std::string& name, const RepairOpt
 }  // namespace
 
 Model parse_model(std::string_view bytes, const std::string& name, const RepairOptions& options) {
-  refuse_what_is_no_text(bytes, name);
+  refuse_empty(bytes, name);
+  refuse_utf16(bytes, name);
   Reader reader = reader_by_content(bytes);
   if (!reader) reader = reader_by_ending(ending_of(name));
   if (!reader) reader = reader_by_first_line(bytes);
@@ -118,6 +122,7 @@ Model parse_model(std::string_view bytes, const std::string& name, const RepairO
 Model read_model(const std::filesystem::path& path, const RepairOptions& options) {
   const std::string name = path.string();
   const std::string bytes = read_file(path);
+  refuse_empty(bytes, name);
   const std::string ending = ending_of(name);
   const bool ours = reader_by_content(bytes) || reader_by_ending(ending);
   if (ours || ending.empty() || !assimp_reads(ending)) return parse_model(bytes, name, options);

@@ -1,11 +1,15 @@
 // What is refused, and in which words.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/mesh/mesh_file.h"
 
 namespace seesaw {
@@ -47,6 +51,26 @@ TEST(BadFile, NoModelAtAll) {
                   {"a.ply", "PLY\n", "a.ply:1: is no PLY file"},
                   {"a.off", "hello\n", "a.off:1: expected"},
                   {"a.xyz", "C 0 0 0\n", "a.xyz:1: expected numbers"}});
+}
+
+TEST(BadFile, OnDisk) {
+  const auto folder = std::filesystem::temp_directory_path() / ("seesaw_bad_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"a.glb", "a.3ds", "a.ply"}) write_file(folder / name, "");
+  write_file(folder / "b.3ds", "this is no 3DS file");
+  write_file(folder / "b.glb", std::string(100, 'x'));
+  for (const auto& [name, says] :
+       {std::pair("a.glb", "is empty"), std::pair("a.3ds", "is empty"), std::pair("a.ply", "is empty"),
+        std::pair("b.3ds", "cannot be read: "), std::pair("b.glb", "cannot be read: "),
+        std::pair("c.obj", "no such file"), std::pair("", "is a folder")}) {
+    try {
+      read_model(folder / name);
+      ADD_FAILURE() << name;
+    } catch (const FileError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(says)) << name;
+    }
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(BadFile, Obj) {

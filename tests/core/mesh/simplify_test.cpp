@@ -86,6 +86,21 @@ TEST(Simplify, SaysWhatItCannotDo) {
   EXPECT_THROW(simplify(sphere_mesh(3), 100, [](double) { return false; }), Cancelled);
 }
 
+TEST(Simplify, WhatIsNotManifoldComesAsNearAsItCan) {
+  // A ball with a fin: three faces at one edge.
+  TriangleMesh finned = sphere_mesh(4);
+  finned.vertices.conservativeResize(3, finned.vertices.cols() + 1);
+  finned.vertices.rightCols(1) << 3, 0, 0;
+  finned.faces.conservativeResize(3, finned.faces.cols() + 1);
+  finned.faces.rightCols(1) << finned.faces(0, 7), finned.faces(1, 7),
+      static_cast<int>(finned.vertices.cols()) - 1;
+  ASSERT_FALSE(check_mesh(finned).manifold);
+  const TriangleMesh simple = simplify(finned, 300);
+  EXPECT_LE(simple.vertices.cols(), 300);
+  EXPECT_GE(simple.vertices.cols(), 290);
+  EXPECT_EQ(check_mesh(simple).unused_vertices, 0);
+}
+
 TEST(Simplify, OneByOneAsWell) {
   const TriangleMesh torus = torus_mesh(40, 20);
   const TriangleMesh simple = collapse_edges(torus, 60);
