@@ -26,7 +26,7 @@ struct Options {
   Index vertices = 0, most = FitModelOptions().most;
   double offset = ModelConstraintOptions().offset, tolerance = 0;
   bool has_vertices = false, has_tolerance = false, simplify = false, fixed_offset = false, unit_cube = false,
-       keep_normals = false, no_cage = false;
+       keep_normals = false, no_cage = false, keep_strays = false;
 };
 
 FitModelOptions checked(const Options& options) {
@@ -48,6 +48,7 @@ FitModelOptions checked(const Options& options) {
   result.simplify = options.simplify;
   result.turn_normals = !options.keep_normals;
   result.cage = !options.no_cage;
+  result.clean = !options.keep_strays;
   if (!options.kernel.empty()) {
     result.kernel = kernel_named(options.kernel);
     if (!result.kernel)
@@ -128,6 +129,11 @@ void report_on(Table& table, const FittedModel& fitted, const Options& options) 
                                " where the model is too thin for it, down to " + to_text(made.smallest, 3));
   if (made.lowered > 0)
     table.emplace_back("", "value lowered at " + std::to_string(made.lowered) + " in sharp wedges");
+  if (fitted.strays > 0)
+    table.emplace_back("left out", counted(fitted.strays, "point", "points") + " astray");
+  if (fitted.contradicted > 0)
+    table.emplace_back("left out", counted(fitted.contradicted, "normal", "normals") +
+                                       " of the cloud against all neighbors'");
   if (made.normals_unknown > 0)
     table.emplace_back("left out", counted(made.normals_unknown, "normal", "normals") + " not known");
   if (made.no_room > 0)
@@ -251,6 +257,9 @@ void add_fit(CLI::App& program) {
   command->add_flag("--unit-cube", options->unit_cube, "Move and scale the model to the unit cube");
   command->add_flag("--keep-normals", options->keep_normals,
                     "Take the normals of points and open meshes as they are, even if they lead in");
+  command->add_flag(
+      "--keep-strays", options->keep_strays,
+      "Keep points that stand apart from all others, and normals that all neighbors contradict");
   command->add_flag(
       "--no-cage", options->no_cage,
       "No exterior constraints around points and open meshes, which keep the surface from ballooning");

@@ -9,6 +9,7 @@
 #include "core/mesh/simplify.h"
 #include "core/mesh/vertex_normals.h"
 #include "core/modelling/cage.h"
+#include "core/modelling/clean_cloud.h"
 #include "core/modelling/point_sampling.h"
 #include "core/modelling/tolerant_fit.h"
 #include "core/modelling/triangle_tree.h"
@@ -216,7 +217,12 @@ FittedModel fit_model(const TriangleMesh& mesh, const FitModelOptions& options, 
   return run(mesh, options, progress);
 }
 FittedModel fit_model(const PointCloud& cloud, const FitModelOptions& options, const Progress& progress) {
-  return run(cloud, options, progress);
+  if (!options.clean) return run(cloud, options, progress);
+  const CleanCloud clean = cleaned(cloud);
+  FittedModel fitted = run(clean.cloud, options, progress);
+  fitted.strays = clean.strays;
+  fitted.contradicted = clean.contradicted;
+  return fitted;
 }
 
 }  // namespace seesaw

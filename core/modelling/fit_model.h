@@ -38,6 +38,8 @@ struct FitModelOptions {
   std::optional<Kernel> kernel = std::nullopt;
   /// Turn the normals of a cloud or of an open mesh that lead in.
   bool turn_normals = true;
+  /// Leave out a cloud's strays, and normals that their neighbors contradict (clean_cloud.h).
+  bool clean = true;
   /// Put a cage around a cloud or an open mesh, unless its normals lead in.
   bool cage = true;
 
@@ -53,12 +55,14 @@ struct FittedModel {
   Choice choice = Choice::all;
   /// Over all points of the model, as fractions of its longest side.
   double max_error = 0, rms_error = 0;
-  Index points = 0;     ///< of the model: where the error was measured
-  bool turned = false;  ///< the normals led in, and were turned
-  Index left_out = 0;   ///< constraints that were left out because the solver could not tell them apart
-  Index cage = 0;       ///< exterior constraints around, the last of `made.constraints`
-  bool open = false;    ///< the mesh has holes, or is a cloud
-  bool met = true;      ///< the tolerance, if there was one
+  Index points = 0;        ///< of the model: where the error was measured
+  Index strays = 0;        ///< points of a cloud left out because they stand apart from all others
+  Index contradicted = 0;  ///< normals of a cloud left out because its neighbors look the other way
+  bool turned = false;     ///< the normals led in, and were turned
+  Index left_out = 0;      ///< constraints that were left out because the solver could not tell them apart
+  Index cage = 0;          ///< exterior constraints around, the last of `made.constraints`
+  bool open = false;       ///< the mesh has holes, or is a cloud
+  bool met = true;         ///< the tolerance, if there was one
   std::vector<AdaptiveStep> history = {};  ///< of adaptive fitting
   std::string trouble = {};                ///< why a mesh was sampled instead of simplified; empty if not
 };

@@ -145,6 +145,19 @@ class Fit(CliTest):
         self.fit("inward.xyz", "--vertices", "200", "--keep-normals")
         self.assertLess(self.values((50, 50, 50))[0], 0)
 
+    def test_strays_and_flipped_normals(self):
+        draw = random.Random(3)
+        vertices, normals, _ = sphere(40, 30)
+        normals = [tuple(-x for x in n) if draw.random() < 0.05 else n for n in normals]
+        strays = [tuple(draw.uniform(1.5, 3) * x for x in draw.choice(vertices)) for _ in range(10)]
+        self.write("scan.xyz", xyz(vertices + strays, normals + [(0, 0, 1)] * 10))
+        _, said = self.fit("scan.xyz")
+        self.assertIn("10 points astray", said["left out"])
+        self.assertTrue(any("against all neighbors" in words for words in said["left out"]), said)
+        self.assertAlmostEqual(self.check_mesh()["volume"], 4 / 3 * math.pi, delta=0.05)
+        _, said = self.fit("scan.xyz", "--keep-strays")
+        self.assertNotIn("10 points astray", said.get("left out", []))
+
     def test_a_scan_with_a_hole(self):
         vertices, _, faces = sphere(30, 20)
         cut = [f for f in faces if max(vertices[i][2] for i in f) < 0.8]

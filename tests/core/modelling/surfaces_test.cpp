@@ -8,7 +8,10 @@
 #include "core/modelling/adaptive_fit.h"
 #include "core/modelling/blend.h"
 #include "core/modelling/branching_prisms.h"
+#include "core/modelling/clean_cloud.h"
+#include "core/modelling/fit_model.h"
 #include "core/modelling/polygonal_torus.h"
+#include "core/modelling/tolerant_fit.h"
 #include "core/polygonize/polygonize.h"
 #include "tests/core/modelling/models.h"
 
@@ -159,6 +162,125 @@ TEST(Surfaces, AdaptiveFitStopsWhereItIsTold) {
   EXPECT_FALSE(made.met);
   EXPECT_EQ(made.history.back().vertices, 200);
   EXPECT_THROW(fit_adaptively(mesh, {}, [](double done) { return done < 0.1; }), Cancelled);
+}
+
+// What scans are like.
+
+TEST(CleanCloud, FindsStraysAndContradictedNormals) {
+  Random random(5);
+  PointCloud cloud = random_sphere(2000, random);
+  cloud.points *= 1e-6;  // any unit
+  for (Index i = 0; i < 20; ++i) cloud.points.col(50 * i) *= random.uniform(1.3, 3);
+  for (Index i = 0; i < 100; ++i) cloud.normals.col(20 * i + 7) *= -1;
+  const CleanCloud clean = cleaned(cloud);
+  EXPECT_GE(clean.strays, 19);
+  EXPECT_LE(clean.strays, 22);
+  EXPECT_GE(clean.contradicted, 95);
+  EXPECT_LE(clean.contradicted, 100);
+  EXPECT_EQ(clean.cloud.points.cols(), 2000 - clean.strays);
+  for (Index i = 0; i < clean.cloud.points.cols(); ++i)
+    EXPECT_TRUE(clean.cloud.normals.col(i).isZero() ||
+                clean.cloud.normals.col(i).dot(clean.cloud.points.col(i)) > 0 || i % 20 < 8);
+}
+
+TEST(CleanCloud, LeavesGoodCloudsAlone) {
+  Random random(6);
+  // A sphere a hundred times as dense on one side, and a plate thinner than its points are apart.
+  PointCloud uneven = random_sphere(3000, random);
+  for (Index i = 0; i < 3000; ++i)
+    if (i % 10 && uneven.points(2, i) < 0.8)
+      uneven.points.col(i) = uneven.normals.col(i) =
+          Point<3>(0.1 * random.uniform(-1, 1), 0.1 * random.uniform(-1, 1), 3).normalized();
+  EXPECT_EQ(cleaned(uneven).contradicted, 0);
+  EXPECT_LT(cleaned(uneven).strays, 30);
+  PointCloud plate;
+  plate.points = random.points_in<3>(Box<3>(Point<3>(0, 0, 0), Point<3>(1, 1, 0)), 1000);
+  plate.normals = Points<3>::Zero(3, 1000);
+  for (Index i = 0; i < 1000; ++i) {
+    plate.points(2, i) = i % 2 ? 0.005 : 0.0;
+    plate.normals(2, i) = i % 2 ? 1 : -1;
+  }
+  EXPECT_LT(cleaned(plate).contradicted, 30);  // 13 or more of 16 coins heads: 1 in 100
+  EXPECT_EQ(cleaned(plate).strays, 0);
+  // One place again and again.
+  PointCloud one{Points<3>::Ones(3, 60), Points<3>::Ones(3, 60)};
+  EXPECT_EQ(cleaned(one).cloud.points.cols(), 60);
+}
+
+TEST(FitModel, TurnsNormalsThatLeadIn) {
+  Random random(7);
+  PointCloud cloud = random_sphere(500, random);
+  EXPECT_GT(outwardness(cloud), 0.99);
+  cloud.normals *= -1;
+  EXPECT_LT(outwardness(cloud), -0.99);
+  const FittedModel turned = fit_model(cloud);
+  EXPECT_TRUE(turned.turned);
+  EXPECT_GT(turned.fitted.function.value({0, 0, 0}), 0);
+  EXPECT_EQ(turned.cage, 26);
+  EXPECT_LT(turned.max_error, 1e-9);
+  const FittedModel kept = fit_model(cloud, {.turn_normals = false});
+  EXPECT_LT(kept.fitted.function.value({0, 0, 0}), 0);
+  EXPECT_EQ(kept.cage, 0);  // outside is inside there
+}
+
+TEST(FitModel, ACageKeepsAnOpenModelFromBallooning) {
+  TriangleMesh half = sphere_like(40, 24, [](const Point<3>& x) { return x; });
+  Faces faces(3, 0);
+  for (Index f = 0; f < half.faces.cols(); ++f) {
+    bool up = true;
+    for (int k = 0; k < 3; ++k) up &= half.vertices(2, half.faces(k, f)) > -0.05;
+    if (!up) continue;
+    faces.conservativeResize(3, faces.cols() + 1);
+    faces.rightCols(1) = half.faces.col(f);
+  }
+  half.faces = faces;
+  const FittedModel free = fit_model(half, {.cage = false}), caged = fit_model(half);
+  EXPECT_TRUE(free.open && caged.open);
+  const double flat = 2.0 / 3 * 3.14159;
+  const MeshReport ball = meshed(free.fitted.function, free.made.constraints, 40);
+  const MeshReport bowl = meshed(caged.fitted.function, caged.made.constraints, 40);
+  EXPECT_CLOSED_SURFACE(bowl, 1, 0);
+  EXPECT_LT(bowl.volume, 1.2 * flat);
+  EXPECT_GT(ball.volume, 1.8 * flat);
+  EXPECT_LT(caged.max_error, 1e-9);
+}
+
+TEST(FitModel, ChoosesAndMeasures) {
+  const TriangleMesh mesh = bumpy_torus(100, 40);
+  const FittedModel spread = fit_model(mesh, {.vertices = 500});
+  EXPECT_EQ(spread.choice, Choice::farthest);
+  EXPECT_EQ(spread.made.report.boundary, 500);
+  EXPECT_EQ(spread.points, 4000);
+  EXPECT_EQ(spread.cage, 0);
+  EXPECT_LT(spread.rms_error, 0.003);
+  const FittedModel simplified = fit_model(mesh, {.vertices = 500, .simplify = true});
+  EXPECT_EQ(simplified.choice, Choice::simplified);
+  EXPECT_EQ(simplified.made.report.boundary, 500);
+  EXPECT_LT(simplified.rms_error, 0.006);
+  EXPECT_EQ(fit_model(mesh).made.report.boundary, FitModelOptions::usual);
+  const FittedModel adaptive = fit_model(mesh, {.vertices = 100, .tolerance = 0.004});
+  EXPECT_EQ(adaptive.choice, Choice::adaptive);
+  EXPECT_TRUE(adaptive.met);
+  EXPECT_LE(adaptive.max_error, 0.004);
+}
+
+TEST(TolerantFit, GoesWithoutWhatCannotBe) {
+  const TriangleMesh mesh = ellipsoid({1, 0.8, 0.6}, 12, 8);
+  Constraints<3> constraints = constraints_from(mesh).constraints;
+  const std::size_t count = constraints.size();
+  // A companion of another value where one stands, and an interior constraint on the surface.
+  const NormalConstraint<3> companion = constraints[3].normal.value_or(NormalConstraint<3>());
+  constraints.push_back(boundary<3>(constraints[3].at, companion.direction, companion.offset, 0.5));
+  constraints.push_back(interior<3>(constraints[5].at));  // says otherwise
+  EXPECT_THROW(fit(constraints), Error);
+  const TolerantFit made = fit_tolerantly(constraints);
+  EXPECT_EQ(made.left_out, 2);
+  EXPECT_EQ(constraints.size(), count + 1);  // of one the boundary constraint stays
+  EXPECT_FALSE(constraints[count].normal.has_value());
+  EXPECT_LT(made.fitted.report.max_residual, 2e-8);
+  // What nothing can help is still refused.
+  Constraints<3> few = {boundary<3>({0, 0, 0}), interior<3>({0, 0, 0})};
+  EXPECT_THROW(fit_tolerantly(few), Error);
 }
 
 }  // namespace
