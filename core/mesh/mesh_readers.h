@@ -38,6 +38,8 @@ bool is_binary_stl(std::string_view bytes);
 /// Points as text, one a line: x y z or x y z nx ny nz, separated by blanks, commas or semicolons. A first
 /// line of names (csv) may put columns in another order and among others; a first line with one whole number
 /// is the number of points, and normals may then follow in a second block (pwn).
+/// Columns without names that can only be colors (whole numbers from 0 to 255, some of them 16 or more) are
+/// read over.
 PolygonSoup read_points(std::string_view text, const std::string& name);
 
 /// Everything else, by Assimp: all meshes of the file's scene in one, each where its node puts it.

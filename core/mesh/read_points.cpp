@@ -33,7 +33,9 @@ class PointsReader {
       split_promised();
     } else {
       if (!parse_number(lines_[0])) read_names();
+      const bool named = columns_ > 0;
       read_rows();
+      if (!named && are_colors(soup_.normals)) soup_.normals.clear();
     }
     return std::move(soup_);
   }
@@ -43,9 +45,10 @@ class PointsReader {
   // between semicolons ("0,5;1"), and in words that blanks already separate ("0,5 0,25 1,0", which would
   // otherwise pass for a point with its normal).
   static std::string_view separators_of(std::string_view text) {
-    if (text.find(';') != std::string_view::npos) return ";";
+    const auto has_semicolon = [](std::string_view word) { return word.find(';') != std::string_view::npos; };
     TextLines lines(text, {}, {});
     while (lines.next()) {
+      if (std::any_of(lines.words().begin(), lines.words().end(), has_semicolon)) return ";";
       if (lines.size() == 1 || !parse_number(lines[0].substr(0, lines[0].find(',')))) continue;
       const auto inner_comma = [](std::string_view word) {
         const std::size_t at = word.find(',');
@@ -113,6 +116,16 @@ class PointsReader {
           soup_.coordinates.push_back(lines_.number(i, "a coordinate"));
       }
     } while (lines_.next());
+  }
+
+  // Three whole numbers from 0 to 255 behind every point, some of them large: x y z r g b, and no normals.
+  static bool are_colors(const std::vector<double>& columns) {
+    double largest = 0;
+    for (const double c : columns) {
+      if (!(c >= 0 && c <= 255 && c == std::floor(c))) return false;
+      largest = std::max(largest, c);
+    }
+    return largest >= 16;
   }
 
   // As many rows as promised; or twice as many of three columns, points first, then normals.

@@ -184,7 +184,7 @@ TEST(ReadPoints, TheWaysToWriteThem) {
            {"# points\n\n1\t2 3 0 0 1\r\n4 5 6 0 1 0", "a.xyz"},
            {"2\n1 2 3\n4 5 6\n0 0 1\n0 1 0\n", "a.pwn"},
            {"2\n1 2 3 0 0 1\n4 5 6 0 1 0\n", "a.pwn"},
-           {"1,2,3,0,0,1\n4,5,6,0,1,0\n", "a.csv"},
+           {"# x; y; z\n1,2,3,0,0,1\n4,5,6,0,1,0\n", "a.csv"},
            {"1, 2, 3, 0, 0, 1\n4, 5, 6, 0, 1, 0\n", "a.csv"},
            {"1;2;3;0;0;1\n4; 5; 6; 0; 1; 0\n", "a.csv"},
            {"x,y,z,nx,ny,nz\n1,2,3,0,0,1\n4,5,6,0,1,0\n", "a.csv"},
@@ -200,6 +200,10 @@ TEST(ReadPoints, TheWaysToWriteThem) {
     EXPECT_EQ(cloud.normals, expected.normals) << text;
   }
   EXPECT_FALSE(cloud_in("1 2 3\n4 5 6\n", "a.xyz").has_normals());
+  // Colors are no normals, but whole numbers may be.
+  EXPECT_FALSE(cloud_in("1 2 3 255 0 12\n4 5 6 7 8 9\n", "a.xyz").has_normals());
+  EXPECT_TRUE(cloud_in("1 2 3 0 0 2\n4 5 6 0 3 0\n", "a.xyz").has_normals());
+  EXPECT_TRUE(cloud_in("1 2 3 0 0 200\n4 5 6 0 -300 0\n", "a.xyz").has_normals());
   EXPECT_EQ(cloud_in("2\n1 2 3\n4 5 6\n", "a.pwn").points.cols(), 2);
   // Normals that are not known; points in one place stay apart.
   const PointCloud holes = cloud_in("1 2 3 nan 0 0\n1 2 3 0 0 0\n1 2 3 0 0 1\n", "a.xyz");
