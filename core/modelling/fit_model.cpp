@@ -115,9 +115,8 @@ Constraints<3> cage_around(const Model& model, const Box<3>& box, const ModelCon
 void refuse_without_normals(const ModelConstraintReport& report) {
   if (report.normal > 0 || report.boundary == 0) return;
   throw Error(
-      "the model has no usable normals, so nothing says which side of it is inside; give every point a "
-      "normal "
-      "that leads out");
+      "the model has no usable normals, so nothing says which side of it is inside; give its points normals "
+      "that lead out");
 }
 
 template <class Model>
