@@ -81,7 +81,7 @@ BoundTree::Facts BoundTree::facts_of(Node& node, const Box<3>& box, double inher
   Facts facts;
   facts.bound = inherited;
   const auto loose = [&] { return !(facts.bound <= options_.pays * node.slope); };
-  const bool asks = !(facts.bound * radius < options_.inherits * value) && loose();
+  const bool asks = !(facts.bound * radius < value) && loose();
   if (asks) facts.bound = std::min(inherited, field_->gradient_bound(box));
   facts.empty = value > facts.bound * radius;
   facts.cut =

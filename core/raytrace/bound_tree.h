@@ -5,9 +5,10 @@
 // L of the smallest box around a point then says how far a ray may step there (Kalra and Barr 1989 had the
 // idea of boxes with bounds; here the bounds are Field::gradient_bound).
 //
-// A bound of an interpolant costs about a hundred values of it. So boxes are made only when a ray asks for
-// them: what is hidden or off the picture costs nothing. What a box holds, and whether it is cut, depends on
-// the box alone, so that answers are the same whichever ray, or thread, asks first.
+// A bound of an interpolant costs about a hundred values of it. So a box asks for one of its own only where
+// the bound of the box it was cut from, which holds in it too, does not prove it empty. And boxes are made
+// only when a ray comes along: what is hidden or off the picture costs nothing. What a box holds, and whether
+// it is cut, depends on the box alone, so that answers are the same whichever ray, or thread, asks first.
 //
 // Before it: Field::gradient_bound. After it: rigorous_tracer.cpp.
 #pragma once
@@ -21,12 +22,9 @@ namespace seesaw {
 
 struct BoundTreeOptions {
   /// A box is cut when its bound exceeds `pays` times the gradient in its middle ...
-  double pays = 1.5;
+  double pays = 3;
   /// ... and its longest side is more than this, relative to the longest side of the tree.
-  double smallest_side = 1.0 / 70;
-  /// A box asks for a bound of its own when the bound that it inherits is more than this many times too large
-  /// to prove it empty.
-  double inherits = 3;
+  double smallest_side = 1.0 / 64;
 };
 
 class BoundTree {
