@@ -12,6 +12,9 @@ namespace {
 
 // In cubes: how near is on the mesh, and how near is so near that no other sheet fits between.
 constexpr double near_enough = 0.25, certain = 0.01;
+// A ridge is cut off, too, if less: then the mesh is right below the seed, in the direction of its normal.
+// (The rim of a hole, which a sheet that is too thin has, is beside the seed.)
+constexpr double near_enough_below = 0.75, below_cosine = 0.8;
 // A tip or a crease is cut off by the cube that it stands in.
 constexpr double near_enough_for_tips = 1.0;
 // A crease: this near to the seed, in cubes, the gradient turns to a cosine of less than this.
@@ -54,13 +57,21 @@ struct Nearest {
   }
 };
 
+// How near is near enough, in cubes.
+double reach_of(const Seed& seed, const Point<3>& nearest) {
+  if (seed.is_tip) return near_enough_for_tips;
+  const Point<3> way = nearest - seed.at;
+  const bool below = std::abs(way.dot(seed.outward)) >= below_cosine * way.norm() * seed.outward.norm();
+  return below && !seed.outward.isZero(0) ? near_enough_below : near_enough;
+}
+
 void settle(std::vector<Seed>& seeds, const std::vector<Nearest>& nearest, double cell, Sampler& sampler) {
   std::vector<std::size_t> asked;
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     if (seeds[i].on_surface) continue;
     if (nearest[i].distance <= certain * cell)
       seeds[i].on_surface = true;
-    else if (nearest[i].distance <= (seeds[i].is_tip ? near_enough_for_tips : near_enough) * cell)
+    else if (nearest[i].distance <= reach_of(seeds[i], nearest[i].point) * cell)
       asked.push_back(i);
   }
   Points<3> points(3, static_cast<Index>(asked.size() * looks.size()));

@@ -3,11 +3,12 @@
 // Before it: the boundary constraints.  After it: continuation.h starts there; small.h looks closer where the
 // mesh is not the surface through a seed.
 //
-// A mesh passes through a seed when a triangle is within a quarter of a cube of it, the triangle's outward
-// normal is on the side of -grad f, and f keeps one sign on the way there: if it did not, the triangle would
-// belong to another sheet, and the seed's own sheet, thinner than a cube, would be missing. Where f has a
-// crease or a cone's tip at the seed (the kernel |x| has one at each of its centers), there is no normal, and
-// the mesh cuts the tip off: there a whole cube is near enough.
+// A mesh passes through a seed when a triangle is within a quarter of a cube of it (three quarters where it
+// is right below the seed: a ridge that the mesh cuts off), the triangle's outward normal is on the side of
+// -grad f, and f keeps one sign on the way there: if it did not, the triangle would belong to another sheet,
+// and the seed's own sheet, thinner than a cube, would be missing. Where f has a crease or a cone's tip at
+// the seed (the kernel |x| has one at each of its centers), there is no normal, and the mesh cuts the tip
+// off: there a whole cube is near enough.
 #pragma once
 
 #include <vector>
