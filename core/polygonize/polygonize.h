@@ -50,6 +50,7 @@ struct PolygonizeOptions {
   /// field.bounding_box().
   std::optional<Box<3>> box = std::nullopt;
   /// Look into every cube of the box: finds components that pass through no seed. Costs cells^3 evaluations.
+  /// Without seeds there is no other way, and this is done unasked.
   bool exhaustive = false;
   /// Collapse short edges, flip and slide, so that no triangle is a needle. Changes no topology.
   bool improve = true;
@@ -79,9 +80,10 @@ struct Polygonization {
   double smallest_angle_raw = 0;  ///< degrees, over all triangles, as the lattice made them
   double smallest_angle = 0;      ///< degrees, of `mesh`; 0 for no triangles
 
-  // What became of the seeds; the five add up to their number.
-  Index seeds_on_surface =
-      0;  ///< a quarter of a cube from a triangle that faces as f does (on a crease: a cube)
+  // What became of the seeds: on_surface + outside + nowhere + missed is their number.
+  /// A quarter of a cube from a triangle that faces as f does there; on a ridge, which a mesh cuts off, up to
+  /// three quarters; on a crease or a cone's tip, one (seeds.h).
+  Index seeds_on_surface = 0;
   Index seeds_outside = 0;     ///< beyond the box
   Index seeds_nowhere = 0;     ///< f has no surface there: not near zero, or zero only in a point or a sheet
   Index seeds_missed = 0;      ///< there is a surface, and the mesh has it not: too thin for the halvings
