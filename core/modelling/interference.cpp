@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -11,19 +12,20 @@ namespace seesaw {
 
 namespace {
 
-constexpr int cut = 4;  // each cell into cut x cut x cut
-constexpr int parts = cut * cut * cut;
+/// What is known of one solid in a cell.
+enum class State { open, inside, presumed };  // outside is not kept
 
-/// A box of the lattice of its generation that neither is proven inside both nor outside one.
-struct Cell {
-  Point<3> middle;
-  std::array<bool, 2> inside = {false, false};  // proven, of each solid
+struct Part {
+  State state = State::open;
+  double value = 0;
+  Point<3> gradient = Point<3>::Zero();
+  double slope = std::numeric_limits<double>::infinity();  // a bound that holds in the cell
+  int age = 0;                                             // generations since it was asked for
 };
 
-/// Values of one function at the parts of some cells, with a bound of its slope in each cell.
-struct Sampled {
-  Values values;
-  std::vector<double> slopes;  // a cell
+struct Cell {
+  Point<3> middle;
+  std::array<Part, 2> parts;
 };
 
 enum class Side { inside, outside, unknown };
@@ -43,19 +45,25 @@ double share_inside(double value, const Point<3>& gradient, const Point<3>& side
   return std::clamp(0.5 + value / reach, 0.0, 1.0);
 }
 
-/// The same for two functions at once, by smaller boxes, in each of which the smaller share counts.
-double share_inside_both(const std::array<double, 2>& values, const std::array<Point<3>, 2>& gradients,
-                         const Point<3>& sides) {
+/// Of both solids, as if the functions were linear in the cell; where both surfaces run through it by smaller
+/// boxes, in each of which the smaller share counts.
+double share_inside(const Cell& cell, const Point<3>& sides) {
+  const bool open[2] = {cell.parts[0].state == State::open, cell.parts[1].state == State::open};
+  if (!open[0] || !open[1]) {
+    const Part& part = cell.parts[open[0] ? 0 : 1];
+    return share_inside(part.value, part.gradient, sides);
+  }
+  constexpr int cut = 4;
   double sum = 0;
-  for (int p = 0; p < parts; ++p) {
+  for (int p = 0; p < cut * cut * cut; ++p) {
     const Point<3> step(p % cut, p / cut % cut, p / (cut * cut));
     const Point<3> at = sides.cwiseProduct((step - Point<3>::Constant(0.5 * (cut - 1))) / cut);
     double share = 1;
-    for (std::size_t k = 0; k < 2; ++k)
-      share = std::min(share, share_inside(values[k] + gradients[k].dot(at), gradients[k], sides / cut));
+    for (const Part& part : cell.parts)
+      share = std::min(share, share_inside(part.value + part.gradient.dot(at), part.gradient, sides / cut));
     sum += share;
   }
-  return sum / parts;
+  return sum / (cut * cut * cut);
 }
 
 class Search {
@@ -71,84 +79,143 @@ class Search {
       return result_;
     }
     sides_ = box_.sizes();
-    cells_ = {Cell{box_.min() + 0.5 * box_.sizes()}};
+    cells_ = {Cell{box_.min() + 0.5 * box_.sizes(), {}}};
+    for (std::size_t k = 0; k < 2; ++k) cells_[0].parts[k].slope = fields_[k]->gradient_bound(box_);
+    result_.bounds = 2;
     while (!cells_.empty()) {
       refine();
-      const double left = static_cast<double>(cells_.size()) * sides_.prod();
-      result_.high = result_.low + left;
-      if (left <= options_.width * result_.low) break;
-      const Index next = parts * static_cast<Index>(cells_.size());
-      if (result_.evaluations + next > options_.evaluations) break;
+      const double before = result_.volume;
+      estimate();
+      result_.error = std::abs(result_.volume - before);
+      const double open = static_cast<double>(cells_.size()) * sides_.prod();
+      result_.high = result_.low + presumed_ + open;
+      if (open <= options_.width * (result_.low + presumed_inside_)) break;
+      if (result_.evaluations + 8 * static_cast<Index>(cells_.size()) > options_.evaluations) break;
       report(progress_, std::min(0.99, static_cast<double>(result_.evaluations) /
                                            static_cast<double>(options_.evaluations)));
     }
-    estimate();
+    finish_where();
     if (result_.overlap) deepen();
-    result_.certain = result_.overlap || cells_.empty();
+    result_.certain = result_.overlap || (cells_.empty() && presumed_ == 0);
     return result_;
   }
 
  private:
-  // Cuts all cells; their parts become the cells.
+  // Halves all cells in each direction; the halves that stay open become the cells.
   void refine() {
-    const Point<3> part = sides_ / cut;
-    const double radius = 0.5 * part.norm();
+    sides_ /= 2;
+    ++generation_;
     std::vector<Cell> next;
-    constexpr std::size_t batch = 1024;  // cells whose parts are evaluated together
+    constexpr std::size_t batch = 4096;  // cells whose halves are treated together
     for (std::size_t first = 0; first < cells_.size(); first += batch) {
       const std::size_t last = std::min(first + batch, cells_.size());
-      const Index count = static_cast<Index>(last - first);
-      Points<3> middles(3, parts * count);
-      for (Index c = 0; c < count; ++c)
-        for (int p = 0; p < parts; ++p) {
-          const Point<3> step(p % cut, p / cut % cut, p / (cut * cut));
-          middles.col(parts * c + p) = cells_[first + static_cast<std::size_t>(c)].middle +
-                                       part.cwiseProduct(step - Point<3>::Constant(0.5 * (cut - 1)));
+      std::vector<Cell> halves;
+      halves.reserve(8 * (last - first));
+      for (std::size_t c = first; c < last; ++c)
+        for (int p = 0; p < 8; ++p) {
+          const Point<3> side(p % 2 ? 0.5 : -0.5, p / 2 % 2 ? 0.5 : -0.5, p / 4 ? 0.5 : -0.5);
+          halves.push_back(cells_[c]);
+          halves.back().middle += side.cwiseProduct(sides_);
         }
-      const std::array<Sampled, 2> sampled = {sample(0, first, middles), sample(1, first, middles)};
-      result_.evaluations += middles.cols();
-      for (Index i = 0; i < middles.cols(); ++i) {
-        Cell child = cells_[first + static_cast<std::size_t>(i / parts)];
-        child.middle = middles.col(i);
-        bool outside = false;
-        for (std::size_t k = 0; k < 2; ++k) {
-          const Side side = child.inside[k]
-                                ? Side::inside
-                                : side_of(sampled[k].values[i],
-                                          radius * sampled[k].slopes[static_cast<std::size_t>(i / parts)]);
-          child.inside[k] = side == Side::inside;
-          outside |= side == Side::outside;
-        }
-        note(child.middle, std::min(sampled[0].values[i], sampled[1].values[i]));
-        if (outside) continue;
-        if (child.inside[0] && child.inside[1]) {
-          result_.low += part.prod();
-          result_.where.extend(Point<3>(child.middle - 0.5 * part))
-              .extend(Point<3>(child.middle + 0.5 * part));
-        } else {
-          next.push_back(child);
-        }
-      }
+      result_.evaluations += static_cast<Index>(halves.size());
+      std::vector<std::array<Side, 2>> sides(halves.size(), {Side::unknown, Side::unknown});
+      for (std::size_t k = 0; k < 2; ++k) settle(k, halves, sides);
+      for (std::size_t i = 0; i < halves.size(); ++i) sort(halves[i], sides[i], next);
     }
     cells_ = std::move(next);
-    sides_ = part;
   }
 
-  Sampled sample(std::size_t k, std::size_t first, const Points<3>& middles) const {
-    Sampled sampled{Values(middles.cols()),
-                    std::vector<double>(static_cast<std::size_t>(middles.cols() / parts))};
-    fields_[k]->evaluate(middles, sampled.values);
-    parallel_blocks(static_cast<Index>(sampled.slopes.size()), 16, [&](Index begin, Index end) {
-      for (Index c = begin; c < end; ++c) {
-        const Cell& cell = cells_[first + static_cast<std::size_t>(c)];
-        if (cell.inside[k]) continue;
-        sampled.slopes[static_cast<std::size_t>(c)] =
-            fields_[k]->gradient_bound(Box<3>(cell.middle - 0.5 * sides_, cell.middle + 0.5 * sides_));
+  // Evaluates function k in the middle of the cells that are open for it, and proves what can be.
+  void settle(std::size_t k, std::vector<Cell>& cells, std::vector<std::array<Side, 2>>& sides) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (cells[i].parts[k].state == State::open) open.push_back(i);
+    const Index n = static_cast<Index>(open.size());
+    Points<3> middles(3, n), gradients(3, n);
+    Values values(n);
+    for (Index j = 0; j < n; ++j) middles.col(j) = cells[open[static_cast<std::size_t>(j)]].middle;
+    fields_[k]->evaluate(middles, values, gradients);
+
+    const double radius = 0.5 * sides_.norm();
+    std::vector<std::size_t> asking;
+    for (Index j = 0; j < n; ++j) {
+      const std::size_t i = open[static_cast<std::size_t>(j)];
+      Part& part = cells[i].parts[k];
+      part.value = values[j];
+      part.gradient = gradients.col(j);
+      ++part.age;
+      sides[i][k] = side_of(part.value, radius * part.slope);
+      if (sides[i][k] != Side::unknown) continue;
+      // Bounds of interpolants fall about tenfold with each generation, down to the true slope.
+      const double hoped = std::max(part.gradient.norm(), part.slope * std::pow(0.1, part.age));
+      if (std::abs(part.value) > radius * hoped && result_.bounds < options_.bounds) {
+        asking.push_back(i);
+        ++result_.bounds;
+      }
+    }
+    parallel_blocks(static_cast<Index>(asking.size()), 16, [&](Index begin, Index end) {
+      for (Index j = begin; j < end; ++j) {
+        const std::size_t i = asking[static_cast<std::size_t>(j)];
+        Part& part = cells[i].parts[k];
+        const Box<3> box(cells[i].middle - 0.5 * sides_, cells[i].middle + 0.5 * sides_);
+        part.slope = std::min(part.slope, fields_[k]->gradient_bound(box));
+        part.age = 0;
+        sides[i][k] = side_of(part.value, radius * part.slope);
       }
     });
-    return sampled;
   }
 
+  // Where a cell goes: nowhere, into one of the sums, or to those that stay open.
+  void sort(Cell& cell, const std::array<Side, 2>& sides, std::vector<Cell>& next) {
+    const double radius = 0.5 * sides_.norm(), volume = sides_.prod();
+    note(cell);
+    bool outside = false, presumed_outside = false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      Part& part = cell.parts[k];
+      if (part.state != State::open) continue;
+      outside |= sides[k] == Side::outside;
+      if (sides[k] == Side::inside) part.state = State::inside;
+      // Not before the cells are small: a large one may hide a thin sheet from its middle.
+      if (sides[k] != Side::unknown || generation_ < 5) continue;
+      if (std::abs(part.value) <= 4 * radius * part.gradient.norm()) continue;
+      if (result_.bounds < options_.bounds && part.age == 0) continue;  // a smaller cell may be proven
+      if (part.value > 0)
+        part.state = State::presumed;
+      else
+        presumed_outside = true;
+    }
+    if (outside) return;
+    const bool open = cell.parts[0].state == State::open || cell.parts[1].state == State::open;
+    const bool proven = cell.parts[0].state == State::inside && cell.parts[1].state == State::inside;
+    if (presumed_outside) {
+      presumed_ += volume;
+    } else if (open) {
+      next.push_back(cell);
+    } else {
+      (proven ? result_.low : presumed_) += volume;
+      if (!proven) presumed_inside_ += volume;
+      extend_where(cell);
+    }
+  }
+
+  void extend_where(const Cell& cell) {
+    result_.where.extend(Point<3>(cell.middle - 0.5 * sides_)).extend(Point<3>(cell.middle + 0.5 * sides_));
+  }
+
+  // Called while the open parts still have the values of this very cell; those of the others are forebears'.
+  void note(const Cell& cell) {
+    double depth = std::numeric_limits<double>::infinity();
+    bool exact = true;
+    for (const Part& part : cell.parts) {
+      if (part.state == State::open) depth = std::min(depth, part.value);
+      exact &= part.state == State::open;
+    }
+    if (!(depth > 0)) return;
+    if (exact) return note(cell.middle, depth);
+    // Once there is a point to climb from, others need not be looked at closely.
+    if (!result_.overlap)
+      note(cell.middle, std::min(fields_[0]->value(cell.middle), fields_[1]->value(cell.middle)));
+  }
   void note(const Point<3>& at, double depth) {
     if (!(depth > 0) || (result_.overlap && !(depth > deepest_))) return;
     result_.overlap = true;
@@ -161,8 +228,8 @@ class Search {
     constexpr int around = 26;
     Points<3> ring(3, around);
     Values a(around), b(around);
-    Point<3> step = sides_ * cut * cut;
-    for (int round = 0; round < 100 && step.maxCoeff() > 1e-4 * sides_.minCoeff(); ++round) {
+    Point<3> step = box_.sizes() / 16;
+    for (int round = 0; round < 200 && step.maxCoeff() > 1e-6 * box_.sizes().maxCoeff(); ++round) {
       for (int i = 0; i < around; ++i) {
         const int j = i < around / 2 ? i : i + 1;  // all neighbors but the middle
         const Point<3> to(j % 3 - 1, j / 3 % 3 - 1, j / 9 - 1);
@@ -177,38 +244,18 @@ class Search {
     }
   }
 
-  // The volume of what is left, as if the functions were linear in each cell.
   void estimate() {
-    result_.volume = result_.low;
-    const Index count = static_cast<Index>(cells_.size());
-    constexpr Index batch = 65536;
-    for (Index first = 0; first < count; first += batch) {
-      const Index n = std::min(batch, count - first);
-      Points<3> middles(3, n);
-      for (Index i = 0; i < n; ++i) middles.col(i) = cells_[static_cast<std::size_t>(first + i)].middle;
-      std::array<Values, 2> values = {Values(n), Values(n)};
-      std::array<Points<3>, 2> gradients = {Points<3>(3, n), Points<3>(3, n)};
-      for (std::size_t k = 0; k < 2; ++k) fields_[k]->evaluate(middles, values[k], gradients[k]);
-      for (Index i = 0; i < n; ++i) {
-        const Cell& cell = cells_[static_cast<std::size_t>(first + i)];
-        double share = 0;
-        if (cell.inside[0] || cell.inside[1]) {
-          const std::size_t k = cell.inside[0] ? 1 : 0;
-          share = share_inside(values[k][i], gradients[k].col(i), sides_);
-        } else {
-          share = share_inside_both({values[0][i], values[1][i]}, {gradients[0].col(i), gradients[1].col(i)},
-                                    sides_);
-        }
-        if (!(share > 0)) continue;
-        result_.volume += share * sides_.prod();
-        result_.where.extend(Point<3>(middles.col(i) - 0.5 * sides_))
-            .extend(Point<3>(middles.col(i) + 0.5 * sides_));
-      }
-    }
-    if (!result_.overlap) {  // planes of two cells may cross where the solids do not
-      result_.volume = 0;
-      result_.where.setEmpty();
-    }
+    shares_.assign(cells_.size(), 0.0);
+    double sum = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) sum += shares_[i] = share_inside(cells_[i], sides_);
+    result_.volume = result_.low + presumed_inside_ + sum * sides_.prod();
+    if (!result_.overlap) result_.volume = 0;  // planes of two functions may cross where the solids do not
+  }
+
+  void finish_where() {
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+      if (shares_[i] > 0) extend_where(cells_[i]);
+    if (!result_.overlap) result_.where.setEmpty();
   }
 
   std::array<const Field<3>*, 2> fields_;
@@ -216,7 +263,11 @@ class Search {
   const Progress& progress_;
   Box<3> box_;
   Point<3> sides_ = Point<3>::Zero();  // of the cells
+  int generation_ = 0;
   std::vector<Cell> cells_;
+  std::vector<double> shares_;  // of the cells
+  double presumed_ = 0;         // volume decided without proof
+  double presumed_inside_ = 0;  // of it, inside both
   Interference result_;
   double deepest_ = 0;
 };

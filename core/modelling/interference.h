@@ -7,9 +7,20 @@
 // for: a point is in both solids when both functions are positive there. Points prove that there is an
 // overlap, never that there is none; the fields' bounds do. In a cell of half diagonal R around m
 //     f(m) - R sup |grad f| > 0 proves all of it inside,   f(m) + R sup |grad f| < 0 all of it outside.
-// A cell of which neither is proven is cut into 4 x 4 x 4, until the volume of those left is small against
-// the volume proven inside both. So the answer is an interval that holds the true volume, and an estimate
-// within it: cells left over are counted by the share that lies inside both if the functions are linear.
+// A cell of which neither is proven is halved in each direction, until the volume left open is small. A bound
+// costs an interpolant as much as hundreds of values, and is loose for large cells; so a cell inherits the
+// bound of the one it was cut from, and asks for one of its own where that promises to settle it. Where no
+// proof comes in time, a cell far from a surface for its slope is *presumed* inside or outside. So there are
+// three numbers:
+//
+//     low, high   the true volume lies between them; what is only presumed counts for neither side
+//     volume      the estimate: presumptions hold, and cells left open count by the share that lies inside
+//     both if
+//                 the functions are linear
+//     error       how much the estimate changed when the cells were halved last: no proof, but what to expect
+//
+// Spheres, blobbies and booleans of them are proven all over. For interpolants of a thousand centers [low,
+// high] is wide within any reasonable time, and the estimate as good as ever.
 //
 //     const Interference found = interference(a, b);
 //     if (found.overlap) use(found.volume, found.where);      // low <= true volume <= high
@@ -24,10 +35,12 @@
 namespace seesaw {
 
 struct InterferenceOptions {
-  /// Stop when high - low is at most this fraction of the volume.
+  /// Stop when the volume left open is at most this fraction of the volume inside both.
   double width = 0.05;
   /// Stop rather than evaluate each function at more points than this: the interval is then wider.
-  Index evaluations = 4'000'000;
+  Index evaluations = 1'000'000;
+  /// Ask for no more bounds than this; then presume.
+  Index bounds = 5'000;
   /// Where to look. None: what the two bounding boxes have in common; what sticks out of them is not seen.
   std::optional<Box<3>> box = std::nullopt;
 };
@@ -39,12 +52,14 @@ struct Interference {
   /// solids come so near to each other that the work ended before they could be told apart.
   bool certain = false;
   double volume = 0;         ///< the estimate, cubed scene units
+  double error = 0;          ///< of the estimate, estimated
   double low = 0, high = 0;  ///< the true volume within the box lies between these
   /// Around all cells that hold some of the estimated volume; empty for none.
   Box<3> where;
   /// The deepest point found: where the smaller of the two functions is largest nearby. Only for an overlap.
   Point<3> deepest = Point<3>::Zero();
   Index evaluations = 0;  ///< points at which each function was evaluated at most
+  Index bounds = 0;       ///< bounds of either function that were asked for
 };
 
 /// Throws Cancelled. The same result for any number of threads.
