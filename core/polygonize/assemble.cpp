@@ -69,7 +69,8 @@ LatticeMesh assemble(const Lattice& lattice, const CrossedCubes& found, Sampler&
     mesh.outside.col(v) = lattice.position(b);
     mesh.inside_values[v] = found.values[in];
     mesh.outside_values[v] = found.values[out];
-    mesh.on_range[static_cast<std::size_t>(v)] = planes_of(lattice, a, b);
+    // A vertex on an exact zero stands on the corner itself, and on all faces that the corner is on.
+    mesh.on_range[static_cast<std::size_t>(v)] = planes_of(lattice, a, mesh.is_exact_zero(v) ? a : b);
   }
   mesh.positions =
       find_edge_roots(sampler, {mesh.inside, mesh.outside, mesh.inside_values, mesh.outside_values},

@@ -108,14 +108,15 @@ bool Improver::may_become(int v, int other) const {
 bool Improver::try_collapse(int h) {
   const int t = net_.twin(h);
   if (t < 0) return try_collapse_into(h);  // a boundary edge has one way only: see half_edges.h
-  return is_fixed(net_.target(h)) ? try_collapse_into(t) : try_collapse_into(h);
+  if (is_fixed(net_.target(h))) return try_collapse_into(t) || try_collapse_into(h);
+  return try_collapse_into(h) || (is_fixed(net_.origin(h)) && try_collapse_into(t));
 }
 
 bool Improver::try_collapse_into(int h) {
   const int a = net_.origin(h), b = net_.target(h), t = net_.twin(h);
   const bool swap = t < 0 && !may_become(b, a);  // then it is b that stays, under the name of a
   if (!(swap ? may_become(a, b) : may_become(b, a))) return false;
-  if ((t >= 0 && is_fixed(b)) || !net_.can_collapse(h)) return false;
+  if (!net_.can_collapse(h)) return false;
   const Vector to = swap ? at(b) : is_fixed(a) ? at(a) : Vector(0.5 * (at(a) + at(b)));
   double least = 1, fresh = 1;
   if (!may_move(a, to, h, least, fresh) || !may_move(b, to, h, least, fresh)) return false;
