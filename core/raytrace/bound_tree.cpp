@@ -38,6 +38,7 @@ BoundTree::BoundTree(std::shared_ptr<const Field<3>> field, const Box<3>& box,
   SEESAW_CHECK_EQ(box.isEmpty(), false);
   // Boxes without end would take memory without end.
   SEESAW_CHECK_LE(1e-6, options.smallest_side);
+  SEESAW_CHECK_LE(1.0, options.inherits);
   root_->middle = field_->value(box.center());
   root_->slope = field_->gradient(box.center()).norm();
 }
@@ -81,7 +82,7 @@ BoundTree::Facts BoundTree::facts_of(Node& node, const Box<3>& box, double inher
   Facts facts;
   facts.bound = inherited;
   const auto loose = [&] { return !(facts.bound <= options_.pays * node.slope); };
-  const bool asks = !(facts.bound * radius < value) && loose();
+  const bool asks = !(facts.bound * radius < options_.inherits * value) && loose();
   if (asks) facts.bound = std::min(inherited, field_->gradient_bound(box));
   facts.empty = value > facts.bound * radius;
   facts.cut =

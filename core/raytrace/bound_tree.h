@@ -5,10 +5,11 @@
 // L of the smallest box around a point then says how far a ray may step there (Kalra and Barr 1989 had the
 // idea of boxes with bounds; here the bounds are Field::gradient_bound).
 //
-// A bound of an interpolant costs about a hundred values of it. So a box asks for one of its own only where
-// the bound of the box it was cut from, which holds in it too, does not prove it empty. And boxes are made
-// only when a ray comes along: what is hidden or off the picture costs nothing. What a box holds, and whether
-// it is cut, depends on the box alone, so that answers are the same whichever ray, or thread, asks first.
+// A bound of an interpolant costs about a hundred values of it. So a box that is nearly empty by the bound of
+// the box it was cut from is cut again with that bound, which holds in it too; only where that would lead far
+// does it ask for a bound of its own. And boxes are made only when a ray comes along: what is hidden or off
+// the picture costs nothing. What a box holds, and whether it is cut, depends on the box alone, so that
+// answers are the same whichever ray, or thread, asks first.
 //
 // Before it: Field::gradient_bound. After it: rigorous_tracer.cpp.
 #pragma once
@@ -25,6 +26,9 @@ struct BoundTreeOptions {
   double pays = 3;
   /// ... and its longest side is more than this, relative to the longest side of the tree.
   double smallest_side = 1.0 / 64;
+  /// A box asks for a bound of its own where the bound that it inherits is more than this many times too
+  /// large to prove it empty, 1 or more.
+  double inherits = 3;
 };
 
 class BoundTree {
