@@ -103,6 +103,10 @@ class Search {
  private:
   // Halves all cells in each direction; the halves that stay open become the cells.
   void refine() {
+    const auto count = static_cast<Index>(cells_.size());
+    presume_ = generation_ >= 4 && (2 * count > options_.bounds - result_.bounds ||
+                                    64 * count > options_.evaluations - result_.evaluations);
+    if (!presume_) ask();
     sides_ /= 2;
     ++generation_;
     std::vector<Cell> next;
@@ -125,7 +129,7 @@ class Search {
     cells_ = std::move(next);
   }
 
-  // Evaluates function k in the middle of the cells that are open for it, and proves what can be.
+  // Evaluates function k in the middle of the cells that are open for it, and proves what the bounds prove.
   void settle(std::size_t k, std::vector<Cell>& cells, std::vector<std::array<Side, 2>>& sides) {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -137,7 +141,6 @@ class Search {
     fields_[k]->evaluate(middles, values, gradients);
 
     const double radius = 0.5 * sides_.norm();
-    std::vector<std::size_t> asking;
     for (Index j = 0; j < n; ++j) {
       const std::size_t i = open[static_cast<std::size_t>(j)];
       Part& part = cells[i].parts[k];
@@ -145,24 +148,33 @@ class Search {
       part.gradient = gradients.col(j);
       ++part.age;
       sides[i][k] = side_of(part.value, radius * part.slope);
-      if (sides[i][k] != Side::unknown) continue;
-      // Bounds of interpolants fall about tenfold with each generation, down to the true slope.
-      const double hoped = std::max(part.gradient.norm(), part.slope * std::pow(0.1, part.age));
-      if (std::abs(part.value) > radius * hoped && result_.bounds < options_.bounds) {
+    }
+  }
+
+  // A bound of its own for each cell that has inherited one for two generations, while there are bounds left;
+  // it then serves all that is cut from the cell in the next two.
+  void ask() {
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::vector<std::size_t> asking;
+      for (std::size_t i = 0; i < cells_.size() && result_.bounds < options_.bounds; ++i) {
+        const Part& part = cells_[i].parts[k];
+        if (part.state != State::open || part.age < 2) continue;
+        // Bounds of interpolants fall about tenfold with each generation, down to the true slope. Not where
+        // that is reached already, nor where the next would still be hopeless.
+        const double slope = part.gradient.norm();
+        if (part.slope <= 1.1 * slope || part.slope * std::pow(0.1, part.age) > 20 * slope) continue;
         asking.push_back(i);
         ++result_.bounds;
       }
+      parallel_blocks(static_cast<Index>(asking.size()), 16, [&](Index begin, Index end) {
+        for (Index j = begin; j < end; ++j) {
+          Cell& cell = cells_[asking[static_cast<std::size_t>(j)]];
+          const Box<3> box(cell.middle - 0.5 * sides_, cell.middle + 0.5 * sides_);
+          cell.parts[k].slope = std::min(cell.parts[k].slope, fields_[k]->gradient_bound(box));
+          cell.parts[k].age = 0;
+        }
+      });
     }
-    parallel_blocks(static_cast<Index>(asking.size()), 16, [&](Index begin, Index end) {
-      for (Index j = begin; j < end; ++j) {
-        const std::size_t i = asking[static_cast<std::size_t>(j)];
-        Part& part = cells[i].parts[k];
-        const Box<3> box(cells[i].middle - 0.5 * sides_, cells[i].middle + 0.5 * sides_);
-        part.slope = std::min(part.slope, fields_[k]->gradient_bound(box));
-        part.age = 0;
-        sides[i][k] = side_of(part.value, radius * part.slope);
-      }
-    });
   }
 
   // Where a cell goes: nowhere, into one of the sums, or to those that stay open.
@@ -176,9 +188,8 @@ class Search {
       outside |= sides[k] == Side::outside;
       if (sides[k] == Side::inside) part.state = State::inside;
       // Not before the cells are small: a large one may hide a thin sheet from its middle.
-      if (sides[k] != Side::unknown || generation_ < 5) continue;
+      if (sides[k] != Side::unknown || !presume_) continue;
       if (std::abs(part.value) <= 4 * radius * part.gradient.norm()) continue;
-      if (result_.bounds < options_.bounds && part.age == 0) continue;  // a smaller cell may be proven
       if (part.value > 0)
         part.state = State::presumed;
       else
@@ -264,6 +275,7 @@ class Search {
   Box<3> box_;
   Point<3> sides_ = Point<3>::Zero();  // of the cells
   int generation_ = 0;
+  bool presume_ = false;  // proofs of all cells would take too long
   std::vector<Cell> cells_;
   std::vector<double> shares_;  // of the cells
   double presumed_ = 0;         // volume decided without proof

@@ -9,18 +9,17 @@
 //     f(m) - R sup |grad f| > 0 proves all of it inside,   f(m) + R sup |grad f| < 0 all of it outside.
 // A cell of which neither is proven is halved in each direction, until the volume left open is small. A bound
 // costs an interpolant as much as hundreds of values, and is loose for large cells; so a cell inherits the
-// bound of the one it was cut from, and asks for one of its own where that promises to settle it. Where no
-// proof comes in time, a cell far from a surface for its slope is *presumed* inside or outside. So there are
-// three numbers:
+// bound of the one it was cut from, and asks for one of its own every second time. Where there are too many
+// cells for that, one far from a surface for its slope is *presumed* inside or outside. Hence three numbers:
 //
 //     low, high   the true volume lies between them; what is only presumed counts for neither side
-//     volume      the estimate: presumptions hold, and cells left open count by the share that lies inside
-//     both if
-//                 the functions are linear
-//     error       how much the estimate changed when the cells were halved last: no proof, but what to expect
+//     volume      the estimate: presumptions hold, and a cell left open counts by the share of it that lies
+//                 inside both if the functions are linear there
+//     error       how much the estimate changed when the cells were last halved: no proof, but what to expect
 //
-// Spheres, blobbies and booleans of them are proven all over. For interpolants of a thousand centers [low,
-// high] is wide within any reasonable time, and the estimate as good as ever.
+// Spheres, blobbies and booleans of them are proven all over, interpolants of some hundred centers nearly so.
+// For a thousand centers and more [low, high] stays wide within any reasonable time; the estimate is as good
+// as ever.
 //
 //     const Interference found = interference(a, b);
 //     if (found.overlap) use(found.volume, found.where);      // low <= true volume <= high
@@ -38,9 +37,9 @@ struct InterferenceOptions {
   /// Stop when the volume left open is at most this fraction of the volume inside both.
   double width = 0.05;
   /// Stop rather than evaluate each function at more points than this: the interval is then wider.
-  Index evaluations = 1'000'000;
+  Index evaluations = 2'000'000;
   /// Ask for no more bounds than this; then presume.
-  Index bounds = 5'000;
+  Index bounds = 100'000;
   /// Where to look. None: what the two bounding boxes have in common; what sticks out of them is not seen.
   std::optional<Box<3>> box = std::nullopt;
 };
@@ -48,8 +47,8 @@ struct InterferenceOptions {
 struct Interference {
   /// A point was found where both functions are positive.
   bool overlap = false;
-  /// Whether that is proven: always for an overlap, but for rounding. Without one, false means that the
-  /// solids come so near to each other that the work ended before they could be told apart.
+  /// Whether that is proven: always for an overlap, but for rounding. Without one, false means that the work
+  /// ended before the solids could be told apart everywhere.
   bool certain = false;
   double volume = 0;         ///< the estimate, cubed scene units
   double error = 0;          ///< of the estimate, estimated
