@@ -11,7 +11,7 @@ and, where they differ by more than a tenth, the smallest and the largest. Absol
 this minute's; ratios travel better. On one core, times are processor time, so that other programs do not count; on
 all cores they are wall time, so let the machine be idle: a row is not judged ("busy") where others took a tenth of it.
 
-How to add a benchmark. In C++: a round in bench/fit.cpp, evaluate.cpp or extract.cpp, whose contestants each call
+How to add a benchmark. In C++: a round in bench/fit.cpp, evaluate.cpp, extract.cpp or trace.cpp, whose contestants each call
 `turns.take("name", work)` (bench/turns.h), and here a `table.row` that reads that counter from `rounds`. A
 contestant in Python is a function in bench/scipy_side.py. What may be compared: the same data, the same number of
 threads, the same turn.
@@ -217,12 +217,28 @@ def extraction_section(table, repetitions):
                         [r["1_work"] for r in rounds], at_most(1.2))
 
 
+def tracing_section(table, quick):
+    """The bunny's picture: what a ray pays for the promise that it cannot miss."""
+    if not BUNNY.exists():
+        print(f"\nRAY TRACING\n  left out: {BUNNY} is missing (Debian: glmark2-data)")
+        return
+    pixels = 16 if quick else 512
+    cores = contestants.all_cores()
+    table.section(f"RAY TRACING on {cores.words}", f"the same bunny, {pixels} x {pixels} pixels, with shadows. Ours: "
+                  "by proven bounds; theirs: by the paper's 2,000 samples")
+    rounds = contestants.rounds("bench_trace", f"trace/bunny/{pixels}", cores, 1)
+    table.head(f"{rounds[0]['bounds']:.0f} boxes asked for a bound", others_on(cores, rounds))
+    table.times("picture", [r["rigorous"] for r in rounds], [r["heuristic"] for r in rounds], None)
+    table.sizes("evaluations a camera ray", median([r["rigorous_evaluations"] for r in rounds]),
+                median([r["heuristic_evaluations"] for r in rounds]), None)
+
+
 def main():
     parser = argparse.ArgumentParser(description="Seesaw's benchmarks, as a table with ratios and aims")
     parser.add_argument("--quick", action="store_true", help="a few seconds: only to see that everything runs")
     parser.add_argument("--full", action="store_true", help="also N = 6000")
     parser.add_argument("--programs", default=HERE.parent / "build/release/bin", type=pathlib.Path,
-                        help="where bench_fit, bench_evaluate, bench_extract and bench_memory are")
+                        help="where bench_fit, bench_evaluate, bench_extract, bench_trace and bench_memory are")
     options = parser.parse_args()
     contestants.PROGRAMS = options.programs
 
@@ -240,6 +256,7 @@ def main():
     if contestants.all_cores().count > 1:
         threads_section(table, 1 if options.quick else 5)
     extraction_section(table, 1 if options.quick else 5)
+    tracing_section(table, options.quick)
     table.summary(machine.load())
 
 
