@@ -14,7 +14,7 @@ PinholeCamera camera_for(const Document<3>& document, const Scene& scene, const 
 Panel studio_panel(const FigureContext& context, const std::string& name, const std::string& title,
                    const Scene& scene, const Shot& shot) {
   const auto pixels = [&](double points) {
-    return std::max(1, static_cast<int>(std::lround(points * context.pixels_per_point)));
+    return std::max(1, static_cast<int>(std::lround(points * context.pixels_per_point * shot.fineness)));
   };
   RenderOptions options;
   options.width = pixels(shot.width);

@@ -15,6 +15,7 @@ struct Shot {
   PinholeCamera camera = {};
   double width = 380, height = 380;  ///< of the picture, points
   int samples = 9;                   ///< camera rays a pixel
+  double fineness = 1;               ///< pixels, over those that the context asks for: less for costly scenes
   int ambient_rays = 2;
   int max_depth = 4;
 };

@@ -12,16 +12,19 @@ namespace seesaw {
 
 namespace {
 
-// An interpolating solid that can be traced: its constraints moved, then fitted.
+// An interpolating solid that can be traced: its constraints turned about the vertical and moved, then
+// fitted.
 struct TracedObject {
   std::shared_ptr<const Interpolant<3>> function;
   FitReport report;
   Solid solid;
 };
 
-TracedObject object_of(const Document<3>& document, const Point<3>& at, const Material& material) {
+TracedObject object_of(const Document<3>& document, const Point<3>& at, double degrees,
+                       const Material& material) {
   Constraints<3> constraints = constraints_of(document);
-  for (Constraint<3>& each : constraints) each.at += at;
+  const Eigen::AngleAxisd turn(degrees * M_PI / 180, Point<3>::UnitY());
+  for (Constraint<3>& each : constraints) each.at = turn * each.at + at;
   Fit<3> fitted = fit(constraints);
   const auto function = std::make_shared<const Interpolant<3>>(std::move(fitted.function));
   return {function, fitted.report, Solid(std::make_shared<RigorousTracer>(function), material)};
@@ -119,8 +122,8 @@ Figure turk2002_fig10(const FigureContext& context) {
 
   // Left: beside each other on a floor.
   {
-    const TracedObject a = object_of(cushion, {-0.85, 0, 0.1}, blue),
-                       b = object_of(bone, {1.0, 0.1, -0.35}, sand);
+    const TracedObject a = object_of(cushion, {-0.85, 0, 0.1}, 0, blue),
+                       b = object_of(bone, {1.05, 0.1, -0.35}, 0, sand);
     Scene scene;
     scene.solids = {a.solid, b.solid};
     scene.lights = lights;
@@ -128,9 +131,9 @@ Figure turk2002_fig10(const FigureContext& context) {
     scene.floor.tile = 0.7;
     scene.floor.mirror = 0.12;
     const PinholeCamera camera = frame(scene, {.direction = {0.25, 0.5, 1}, .margin = 0.08});
-    Panel panel =
-        studio_panel(context, "left", "shadows and reflections", scene,
-                     {.camera = camera, .width = 420, .height = 420, .samples = 4, .ambient_rays = 1});
+    Panel panel = studio_panel(
+        context, "left", "shadows and reflections", scene,
+        {.camera = camera, .width = 420, .height = 420, .samples = 5, .fineness = 0.75, .ambient_rays = 1});
     Facts& facts = panel.facts;
     facts["cushion"] = fit_facts(a.report);
     facts["bone"] = fit_facts(b.report);
@@ -142,8 +145,14 @@ Figure turk2002_fig10(const FigureContext& context) {
     facts["bone_seen_in_cushion"] = share(on_a.reflected, on_a.seen);
     facts["cushion_seen_in_bone"] = share(on_b.reflected, on_b.seen);
     facts["bone_in_the_cushions_shadow"] = share(on_b.shadowed, on_b.seen);
-    figure.checks.push_back(residual_check("cushion", a.report));
-    figure.checks.push_back(residual_check("bone", b.report));
+    for (const auto& [name, object] : {std::pair("cushion", &a), std::pair("bone", &b)}) {
+      figure.checks.push_back(residual_check(name, object->report));
+      // Nothing hides within, and nothing floats about.
+      check_topology(
+          figure, name,
+          check_mesh(polygonize(*object->function, Points<3>(3, 0), {.cells = 100, .exhaustive = true}).mesh),
+          1, 0);
+    }
     figure.checks.push_back(
         at_least("left: part of the cushion that mirrors the bone", share(on_a.reflected, on_a.seen), 0.02));
     figure.checks.push_back(
@@ -155,13 +164,13 @@ Figure turk2002_fig10(const FigureContext& context) {
 
   // Right: the same two, one within the other; intersection, then subtraction.
   {
-    const Point<3> places[] = {{-1.15, 0, 0}, {1.15, 0, 0}};
+    const Point<3> places[] = {{-1.2, 0, 0}, {1.25, 0, 0}};
     Scene scene;
     scene.lights = lights;
     std::vector<TracedObject> objects;
     for (const Point<3>& at : places) {
-      objects.push_back(object_of(cushion, at, blue));
-      objects.push_back(object_of(bone, at, sand));
+      objects.push_back(object_of(cushion, at, 0, blue));
+      objects.push_back(object_of(bone, at, -30, sand));
     }
     scene.solids = {objects[0].solid & objects[1].solid, objects[2].solid - objects[3].solid};
     const Intersection<3> both({objects[0].function, objects[1].function});
@@ -170,9 +179,9 @@ Figure turk2002_fig10(const FigureContext& context) {
     scene.floor.tile = 0.7;
     scene.floor.mirror = 0.12;
     const PinholeCamera camera = frame(scene, {.direction = {0.3, 0.5, 1}, .margin = 0.08});
-    Panel panel =
-        studio_panel(context, "right", "intersection, and subtraction", scene,
-                     {.camera = camera, .width = 420, .height = 420, .samples = 4, .ambient_rays = 1});
+    Panel panel = studio_panel(
+        context, "right", "intersection, and subtraction", scene,
+        {.camera = camera, .width = 420, .height = 420, .samples = 5, .fineness = 0.75, .ambient_rays = 1});
     Random random(10);
     const Index wrong[] = {disagreements(scene.solids[0], both, scene.solids[0].box(), random),
                            disagreements(scene.solids[1], cut, scene.solids[1].box(), random)};
@@ -191,7 +200,8 @@ Figure turk2002_fig10(const FigureContext& context) {
     figure.panels.push_back(std::move(panel));
   }
   figure.caption =
-      "Left: a cushion and a bone, each of 14 boundary constraints in a cage of 8 exterior ones; a soft "
+      "Left: a cushion and a bone, each of 14 boundary constraints and an interior one or two, in a cage of "
+      "8 exterior ones; a soft "
       "shadow falls on the floor and on the bone, and each mirrors the other. Right: the same two, the "
       "bone within the cushion: what both share, and the cushion without the bone, by Roth\u2019s "
       "intervals along each ray. Sphere tracing with proven bounds on the gradient.";
