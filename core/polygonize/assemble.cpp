@@ -1,5 +1,6 @@
 #include "core/polygonize/assemble.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/polygonize/cube_table.h"

@@ -1,7 +1,6 @@
 #include "core/polygonize/attempt.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/base/tolerances.h"

@@ -1,5 +1,7 @@
 #include "core/polygonize/specks.h"
 
+#include <algorithm>
+
 namespace seesaw {
 
 void drop_specks(LatticeMesh& mesh, const Lattice& lattice, Sampler& sampler) {
