@@ -87,7 +87,8 @@ struct Walker {
     // Also where the value is not a number.
     if (!(step > resolution)) step = resolution;
     asked = std::min(a + step, leaf_end);
-    // A step that leads right onto the surface, or by rounding beyond: just before it there is something to learn.
+    // A step that leads right onto the surface, or by rounding beyond: just before it there is something to
+    // learn.
     if (change_known && !(asked < changed_at)) asked = a + std::max(0.98 * (changed_at - a), resolution);
     if (!(asked > a)) asked = std::nextafter(a, ray.end);
     asking = Asking::step;
