@@ -69,7 +69,7 @@ Panel branching(Figure& figure, const FigureContext& context) {
   panel.draw = [whole = panel.draw, part = polygons.draw](Canvas& canvas, const Rect& region) {
     whole(canvas, region);
     const double size = 0.3 * region.width;
-    const Rect corner{region.left() + 8, region.top() + 8, size, size};
+    const Rect corner{region.left() + 8, region.bottom() - 8 - size, size, size};
     canvas.fill_rectangle(corner, theme::paper);
     part(canvas, corner);
     canvas.text({corner.left() + 6, corner.bottom() - 8}, "the prisms",

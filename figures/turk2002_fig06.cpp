@@ -6,7 +6,7 @@ namespace seesaw {
 
 Figure turk2002_fig06(const FigureContext& context) {
   Figure figure{.id = "turk2002-fig06",
-                .paper = "Turk & O\u2019Brien 2002, Figure 6 (Figure 7 of the 1999 report)",
+                .paper = "Turk & O\u2019Brien 2002, Figure 6 (Figure 5 of the 1999 report)",
                 .title = "A polygonal bunny and its interpolating surface",
                 .shows =
                     "A polygonal surface (left) and the interpolating implicit surface defined by the 800 "

@@ -42,13 +42,12 @@ Points<3> core_circle(const TorusShape& shape, int count) {
 }  // namespace
 
 Figure turk2002_fig09(const FigureContext& context) {
-  Figure figure{
-      .id = "turk2002-fig09",
-      .paper = "Turk & O\u2019Brien 2002, Figure 9 (Figure 10 of the 1999 report has the same idea)",
-      .title = "The soft union of three tori",
-      .shows =
-          "Three polygonal tori (left), and the soft union created with interpolating implicits "
-          "(right). Constraints of each object are kept if they are outside of all others."};
+  Figure figure{.id = "turk2002-fig09",
+                .paper = "Turk & O\u2019Brien 2002, Figure 9",
+                .title = "The soft union of three tori",
+                .shows =
+                    "Three polygonal tori (left), and the soft union created with interpolating implicits "
+                    "(right). Constraints of each object are kept if they are outside of all others."};
   Scene scenes[2];
   std::vector<SurfacePointer> surfaces;
   std::vector<BlendObject<3>> objects;

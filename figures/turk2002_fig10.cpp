@@ -105,7 +105,7 @@ Index disagreements(const Solid& solid, const Field<3>& field, const Box<3>& box
 Figure turk2002_fig10(const FigureContext& context) {
   Figure figure{
       .id = "turk2002-fig10",
-      .paper = "Turk & O\u2019Brien 2002, Figure 10",
+      .paper = "Turk & O\u2019Brien 2002, Figure 10 (Figure 7 of the 1999 report)",
       .title = "Ray traced interpolating surfaces",
       .shows =
           "Ray tracing of interpolating implicit surfaces. The left image shows reflection and shadows "

@@ -3,7 +3,7 @@
 // Before it: any Field<3>, and the boundary constraints it was asked to pass through ("seeds").
 // After it: core/mesh (checks, files), core/raytrace, pictures.
 //
-// T&O 2002, section 5.1, after Bloomenthal 1988 and 1994: space is a lattice of cubes. A cube whose corners
+// T&O 2002, section 7.1, after Bloomenthal 1988 and 1994: space is a lattice of cubes. A cube whose corners
 // are not all on one side is crossed by the surface; from it one goes to those of its six neighbors that
 // share a crossed face, and so crawls over the whole component without ever looking at the rest of space. We
 // start in the cubes of *every* seed, so a component that passes through a constraint is found. One file a
