@@ -31,6 +31,6 @@ struct SummedBlobbies {
   double farthest_outside = 0;  ///< of that mesh, outside the union of the chains, each alone; scene units
 };
 /// The sum of all chains at one threshold, against their union.
-SummedBlobbies sum_of(const std::vector<BlobbyChain>& chains, double threshold, int cells = 140);
+SummedBlobbies sum_of(const std::vector<BlobbyChain>& chains, double threshold, int cells = 90);
 
 }  // namespace seesaw

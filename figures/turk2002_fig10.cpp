@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/implicit/booleans.h"
+#include "core/implicit/boxed.h"
 #include "core/raytrace/rigorous_tracer.h"
 #include "figures/studio.h"
 #include "figures/surface.h"
@@ -17,6 +17,7 @@ namespace {
 struct TracedObject {
   std::shared_ptr<const Interpolant<3>> function;
   FitReport report;
+  MeshReport mesh;  ///< of all that lies in the function's own box
   Solid solid;
 };
 
@@ -27,7 +28,11 @@ TracedObject object_of(const Document<3>& document, const Point<3>& at, double d
   for (Constraint<3>& each : constraints) each.at = turn * each.at + at;
   Fit<3> fitted = fit(constraints);
   const auto function = std::make_shared<const Interpolant<3>>(std::move(fitted.function));
-  return {function, fitted.report, Solid(std::make_shared<RigorousTracer>(function), material)};
+  const MeshReport mesh =
+      check_mesh(polygonize(*function, Points<3>(3, 0), {.cells = 100, .exhaustive = true}).mesh);
+  // The cage is far away; rays need not look there.
+  const auto near = share(Boxed<3>(function, grown(mesh.box, 0.02)));
+  return {function, fitted.report, mesh, Solid(std::make_shared<RigorousTracer>(near), material)};
 }
 
 // What one object shows of another, counted over a grid of camera rays.
@@ -131,9 +136,9 @@ Figure turk2002_fig10(const FigureContext& context) {
     scene.floor.tile = 0.7;
     scene.floor.mirror = 0.12;
     const PinholeCamera camera = frame(scene, {.direction = {0.25, 0.5, 1}, .margin = 0.08});
-    Panel panel = studio_panel(
-        context, "left", "shadows and reflections", scene,
-        {.camera = camera, .width = 420, .height = 420, .samples = 5, .fineness = 0.75, .ambient_rays = 1});
+    Panel panel =
+        studio_panel(context, "left", "shadows and reflections", scene,
+                     {.camera = camera, .width = 420, .height = 420, .samples = 6, .ambient_rays = 1});
     Facts& facts = panel.facts;
     facts["cushion"] = fit_facts(a.report);
     facts["bone"] = fit_facts(b.report);
@@ -148,10 +153,7 @@ Figure turk2002_fig10(const FigureContext& context) {
     for (const auto& [name, object] : {std::pair("cushion", &a), std::pair("bone", &b)}) {
       figure.checks.push_back(residual_check(name, object->report));
       // Nothing hides within, and nothing floats about.
-      check_topology(
-          figure, name,
-          check_mesh(polygonize(*object->function, Points<3>(3, 0), {.cells = 100, .exhaustive = true}).mesh),
-          1, 0);
+      check_topology(figure, name, object->mesh, 1, 0);
     }
     figure.checks.push_back(
         at_least("left: part of the cushion that mirrors the bone", share(on_a.reflected, on_a.seen), 0.02));
@@ -179,9 +181,9 @@ Figure turk2002_fig10(const FigureContext& context) {
     scene.floor.tile = 0.7;
     scene.floor.mirror = 0.12;
     const PinholeCamera camera = frame(scene, {.direction = {0.3, 0.5, 1}, .margin = 0.08});
-    Panel panel = studio_panel(
-        context, "right", "intersection, and subtraction", scene,
-        {.camera = camera, .width = 420, .height = 420, .samples = 5, .fineness = 0.75, .ambient_rays = 1});
+    Panel panel =
+        studio_panel(context, "right", "intersection, and subtraction", scene,
+                     {.camera = camera, .width = 420, .height = 420, .samples = 6, .ambient_rays = 1});
     Random random(10);
     const Index wrong[] = {disagreements(scene.solids[0], both, scene.solids[0].box(), random),
                            disagreements(scene.solids[1], cut, scene.solids[1].box(), random)};
