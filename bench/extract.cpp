@@ -14,11 +14,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "bench/bunny.h"
 #include "bench/data.h"
 #include "bench/turns.h"
-#include "core/mesh/mesh_file.h"
-#include "core/mesh/simplify.h"
-#include "core/mesh/vertex_normals.h"
 #include "core/polygonize/polygonize.h"
 #include "core/rbf/fit.h"
 #include "core/rbf/kernel_sums.h"
@@ -26,28 +24,10 @@
 namespace seesaw::bench {
 namespace {
 
-constexpr const char* bunny_file = "/usr/share/glmark2/models/bunny.obj";
-
-// The paper's conversion: the model in the unit cube, each normal constraint 0.01 inside.
-Constraints<3> constraints_of_bunny() {
-  const TriangleMesh scan = read_mesh(bunny_file).mesh;
-  TriangleMesh model = simplify(scan, 800);
-  const Box<3> box = bounding_box_of<3>(model.vertices);
-  model.vertices = (model.vertices.colwise() - box.min()) / box.sizes().maxCoeff();
-  const Points<3> normals = vertex_normals(model);
-  Constraints<3> constraints;
-  for (Index v = 0; v < model.vertices.cols(); ++v)
-    constraints.push_back(boundary<3>(model.vertices.col(v), normals.col(v), 0.01));
-  return constraints;
-}
-
 struct Bunny {
   Constraints<3> constraints = constraints_of_bunny();
-  Points<3> seeds;
-  Fit<3> fitted;
-  Bunny() : seeds(3, static_cast<Index>(constraints.size())), fitted(fit(constraints)) {
-    for (std::size_t i = 0; i < constraints.size(); ++i) seeds.col(static_cast<Index>(i)) = constraints[i].at;
-  }
+  Points<3> seeds = boundary_points(constraints);
+  Fit<3> fitted = fit(constraints);
 };
 
 const Bunny& bunny() {

@@ -10,10 +10,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "bench/bunny.h"
 #include "bench/turns.h"
-#include "core/mesh/mesh_file.h"
-#include "core/mesh/simplify.h"
-#include "core/mesh/vertex_normals.h"
 #include "core/raytrace/evaluation_counts.h"
 #include "core/raytrace/heuristic_tracer.h"
 #include "core/raytrace/render.h"
@@ -23,18 +21,8 @@
 namespace seesaw::bench {
 namespace {
 
-constexpr const char* bunny_file = "/usr/share/glmark2/models/bunny.obj";
-
-// The paper's conversion: the model in the unit cube, each normal constraint 0.01 inside.
 std::shared_ptr<const Interpolant<3>> fitted_bunny() {
-  TriangleMesh model = simplify(read_mesh(bunny_file).mesh, 800);
-  const Box<3> box = bounding_box_of<3>(model.vertices);
-  model.vertices = (model.vertices.colwise() - box.min()) / box.sizes().maxCoeff();
-  const Points<3> normals = vertex_normals(model);
-  Constraints<3> constraints;
-  for (Index v = 0; v < model.vertices.cols(); ++v)
-    constraints.push_back(boundary<3>(model.vertices.col(v), normals.col(v), 0.01));
-  return std::make_shared<Interpolant<3>>(fit(constraints, {.condition = false}).function);
+  return std::make_shared<Interpolant<3>>(fit(constraints_of_bunny(), {.condition = false}).function);
 }
 
 void trace_round(benchmark::State& state, int pixels) {

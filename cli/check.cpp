@@ -11,6 +11,7 @@
 
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/table.h"
 #include "core/base/text.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_file.h"
@@ -24,17 +25,6 @@ struct Options {
   std::string mesh;
   bool json = false, intersections = false;
 };
-
-using Table = std::vector<std::pair<std::string, std::string>>;
-
-std::string aligned(const Table& table) {
-  std::size_t width = 0;
-  for (const auto& [name, value] : table) width = std::max(width, name.size());
-  std::string text;
-  for (const auto& [name, value] : table)
-    text += name + std::string(width + 2 - name.size(), ' ') + value + "\n";
-  return text;
-}
 
 // A number that JSON has no word for is null.
 nlohmann::ordered_json json_of(double value) {
@@ -77,10 +67,6 @@ nlohmann::ordered_json json_of(const LoadedMesh& loaded, const MeshReport& repor
 
 std::string yes(bool answer, const std::string& otherwise) { return answer ? "yes" : "no: " + otherwise; }
 
-std::string count(Index n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 std::string in_words(const Box<3>& box) {
   std::string words;
   for (int d = 0; d < 3; ++d)
@@ -93,18 +79,18 @@ std::string in_words(const Box<3>& box) {
 
 Table table_of(const LoadedMesh& loaded, const MeshReport& report, std::optional<Index> intersections) {
   Table table;
-  table.emplace_back("mesh", count(report.vertices, "vertex", "vertices") + ", " +
-                                 count(report.faces, "face", "faces") +
+  table.emplace_back("mesh", counted(report.vertices, "vertex", "vertices") + ", " +
+                                 counted(report.faces, "face", "faces") +
                                  (loaded.mesh.has_normals() ? ", with normals" : ""));
-  std::string open = count(report.boundary_edges, "boundary edge", "boundary edges") + " in " +
-                     count(report.boundary_loops, "loop", "loops");
+  std::string open = counted(report.boundary_edges, "boundary edge", "boundary edges") + " in " +
+                     counted(report.boundary_loops, "loop", "loops");
   if (report.boundary_edges == 0) open = "edges with an odd number of faces";
   table.emplace_back("closed", yes(report.closed, open));
-  table.emplace_back("manifold",
-                     yes(report.manifold,
-                         count(report.nonmanifold_edges, "edge", "edges") + " of more than two faces, " +
-                             count(report.nonmanifold_vertices, "vertex", "vertices") + " where fans meet"));
-  table.emplace_back("oriented", yes(report.oriented, count(report.misoriented_edges, "edge", "edges") +
+  table.emplace_back(
+      "manifold", yes(report.manifold,
+                      counted(report.nonmanifold_edges, "edge", "edges") + " of more than two faces, " +
+                          counted(report.nonmanifold_vertices, "vertex", "vertices") + " where fans meet"));
+  table.emplace_back("oriented", yes(report.oriented, counted(report.misoriented_edges, "edge", "edges") +
                                                           " whose faces disagree"));
   table.emplace_back("components", std::to_string(report.components));
   table.emplace_back("Euler characteristic", std::to_string(report.euler_characteristic));
@@ -115,7 +101,7 @@ Table table_of(const LoadedMesh& loaded, const MeshReport& report, std::optional
       "angles", to_text(report.smallest_angle, 3) + " to " + to_text(report.largest_angle, 3) + " degrees");
   table.emplace_back("box", in_words(report.box));
   if (intersections)
-    table.emplace_back("self-intersections", count(*intersections, "pair of faces", "pairs of faces"));
+    table.emplace_back("self-intersections", counted(*intersections, "pair of faces", "pairs of faces"));
   const std::vector<std::string> repairs = loaded.repairs.in_words();
   if (repairs.empty()) table.emplace_back("repairs", "none");
   for (std::size_t i = 0; i < repairs.size(); ++i) table.emplace_back(i == 0 ? "repairs" : "", repairs[i]);
@@ -136,7 +122,7 @@ void run(const Options& options) {
     std::optional<Index> intersections;
     if (options.intersections) intersections = static_cast<Index>(self_intersections(loaded->mesh).size());
     print(options.json ? json_of(*loaded, report, intersections).dump(2) + "\n"
-                       : aligned(table_of(*loaded, report, intersections)));
+                       : aligned_text(table_of(*loaded, report, intersections)));
     return;
   }
   const auto& cloud = std::get<PointCloud>(model);
@@ -148,9 +134,9 @@ void run(const Options& options) {
                                          {"box", json_of(box)}};
     print(json.dump(2) + "\n");
   } else {
-    print(aligned({{"points", std::to_string(cloud.points.cols())},
-                   {"normals", std::to_string(known_normals(cloud))},
-                   {"box", in_words(box)}}));
+    print(aligned_text({{"points", std::to_string(cloud.points.cols())},
+                        {"normals", std::to_string(known_normals(cloud))},
+                        {"box", in_words(box)}}));
   }
 }
 

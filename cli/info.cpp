@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/scene_file.h"
+#include "cli/table.h"
 #include "core/base/text.h"
 #include "core/rbf/energy.h"
 #include "core/scene/document_json.h"
@@ -91,21 +92,6 @@ nlohmann::ordered_json json_of(const Document<Dim>& document, const Fit<Dim>& fi
   return json;
 }
 
-using Table = std::vector<std::pair<std::string, std::string>>;
-
-std::string aligned(const Table& table) {
-  std::size_t width = 0;
-  for (const auto& [name, value] : table) width = std::max(width, name.size());
-  std::string text;
-  for (const auto& [name, value] : table)
-    text += name + std::string(width + 2 - name.size(), ' ') + value + "\n";
-  return text;
-}
-
-std::string count(Index n, const std::string& noun) {
-  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
-}
-
 template <int Dim>
 Table table_of(const Document<Dim>& document, const Fit<Dim>& fitted,
                const std::optional<CurveFacts>& facts) {
@@ -133,7 +119,7 @@ Table table_of(const Document<Dim>& document, const Fit<Dim>& fitted,
     const auto& [view, curve] = *facts;
     table.emplace_back("view box", "x " + to_text(view.min().x()) + " to " + to_text(view.max().x()) +
                                        ", y " + to_text(view.min().y()) + " to " + to_text(view.max().y()));
-    table.emplace_back("curve in it", count(curve.components, "component") + ", " +
+    table.emplace_back("curve in it", counted(curve.components, "component", "components") + ", " +
                                           std::to_string(curve.closed) + " closed" +
                                           (curve.complete ? "" : " (coarse: f varies too much)"));
     table.emplace_back("area inside", to_text(curve.area));
@@ -146,7 +132,8 @@ template <int Dim>
 void run(const std::string& scene, bool json, const Document<Dim>& document) {
   const Fit<Dim> fitted = fit_scene(scene, document, true);
   const auto facts = curve_facts(document, fitted.function);
-  print(json ? json_of(document, fitted, facts).dump(2) + "\n" : aligned(table_of(document, fitted, facts)));
+  print(json ? json_of(document, fitted, facts).dump(2) + "\n"
+             : aligned_text(table_of(document, fitted, facts)));
 }
 
 }  // namespace

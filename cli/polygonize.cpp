@@ -58,15 +58,6 @@ void refuse_unknown_ending(const std::string& output) {
     throw Error(output + ": expected a name that ends in .obj, .ply, .stl or .off");
 }
 
-Points<3> boundary_constraints(const Document<3>& document) {
-  std::vector<Point<3>> at;
-  for (const auto& each : document.constraints)
-    if (each.constraint.kind == ConstraintKind::boundary) at.push_back(each.constraint.at);
-  Points<3> points(3, static_cast<Index>(at.size()));
-  for (std::size_t i = 0; i < at.size(); ++i) points.col(static_cast<Index>(i)) = at[i];
-  return points;
-}
-
 nlohmann::ordered_json json_of(const Polygonization& result, const MeshReport& report, double fit_seconds,
                                double seconds) {
   nlohmann::ordered_json json;
@@ -145,7 +136,7 @@ void run(const Options& options) {
   const Document<3>& document = std::get<Document<3>>(any);
   const Fit<3> fitted = fit_scene(options.scene, document);
   const auto start = std::chrono::steady_clock::now();
-  const Polygonization result = polygonize(fitted.function, boundary_constraints(document), how);
+  const Polygonization result = polygonize(fitted.function, boundary_points(document), how);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_mesh(options.output, result.mesh, {.text = options.text});
 

@@ -17,6 +17,7 @@ Figure height_field(const FigureContext&);
 Figure kernels_figure(const FigureContext&);
 Figure blend_bulge(const FigureContext&);
 Figure interference_figure(const FigureContext&);
+Figure sphere_tracing(const FigureContext&);
 Figure bunny_timing(const FigureContext&);
 
 const std::vector<FigureEntry>& catalog() {
@@ -36,6 +37,7 @@ const std::vector<FigureEntry>& catalog() {
       {"kernels", "the same constraints under three kernels", kernels_figure},
       {"blend-bulge", "summed blobbies bulge, the interpolating blend does not", blend_bulge},
       {"interference", "two solids moved together: where they interfere", interference_figure},
+      {"sphere-tracing", "sphere tracing by samples and by proven bounds", sphere_tracing},
       {"bunny-timing", "solving and extracting the bunny, then and now", bunny_timing},
   };
   return entries;

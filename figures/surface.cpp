@@ -6,14 +6,6 @@
 
 namespace seesaw {
 
-Points<3> boundary_points(const Constraints<3>& constraints) {
-  Points<3> points(3, static_cast<Index>(constraints.size()));
-  Index count = 0;
-  for (const Constraint<3>& constraint : constraints)
-    if (constraint.kind == ConstraintKind::boundary) points.col(count++) = constraint.at;
-  return points.leftCols(count);
-}
-
 SurfacePointer fit_surface(Constraints<3> constraints, const PolygonizeOptions& options,
                            const FitOptions& fit_options) {
   Fit<3> fitted = fit(constraints, fit_options);

@@ -26,9 +26,6 @@ struct FittedSurface {
 };
 using SurfacePointer = std::shared_ptr<const FittedSurface>;
 
-/// The positions of the boundary constraints, 3 x N: the polygonizer's seeds.
-Points<3> boundary_points(const Constraints<3>& constraints);
-
 /// Fits and polygonizes, `cells` along the longest side of the function's box.
 SurfacePointer fit_surface(Constraints<3> constraints, const PolygonizeOptions& options = {},
                            const FitOptions& fit_options = {});

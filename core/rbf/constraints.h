@@ -67,4 +67,15 @@ Constraint<Dim> exterior(const Point<Dim>& at, double value = -1.0) {
   return {ConstraintKind::exterior, at, value, std::nullopt};
 }
 
+/// The positions of the boundary constraints, Dim x N: points that the curve or surface passes through, from
+/// which contours and polygonizers start.
+template <int Dim>
+Points<Dim> boundary_points(const Constraints<Dim>& constraints) {
+  Points<Dim> points(Dim, static_cast<Index>(constraints.size()));
+  Index count = 0;
+  for (const Constraint<Dim>& each : constraints)
+    if (each.kind == ConstraintKind::boundary) points.col(count++) = each.at;
+  return points.leftCols(count);
+}
+
 }  // namespace seesaw

@@ -123,6 +123,12 @@ Constraints<Dim> constraints_of(const Document<Dim>& document) {
   return result;
 }
 
+/// The positions of its boundary constraints, Dim x N.
+template <int Dim>
+Points<Dim> boundary_points(const Document<Dim>& document) {
+  return boundary_points(constraints_of(document));
+}
+
 // Equal means equal in everything that a file holds, numbers as == has them (so -0.0 equals 0.0). For Dim 2
 // and 3.
 

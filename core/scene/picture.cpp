@@ -83,14 +83,6 @@ void draw_gradient(Canvas& canvas, const PlanView& view, const Field<2>& field) 
 
 }  // namespace
 
-Points<2> boundary_points(const Document<2>& document) {
-  Points<2> points(2, static_cast<Index>(document.constraints.size()));
-  Index n = 0;
-  for (const auto& each : document.constraints)
-    if (each.constraint.kind == ConstraintKind::boundary) points.col(n++) = each.constraint.at;
-  return points.leftCols(n);
-}
-
 Contour contour(const Document<2>& document, const Field<2>& field, const Box<2>& box,
                 const ContourOptions& options) {
   return contour(field, box, PointsRef<2>(boundary_points(document)), options);

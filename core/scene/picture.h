@@ -28,10 +28,6 @@ Fit<Dim> fit(const Document<Dim>& document) {
   return fit(constraints_of(document), {.kernel = document.kernel, .smoothing = document.smoothing});
 }
 
-/// The positions of the boundary constraints, 2 x N: points that the curve passes through, the contour's
-/// seeds.
-Points<2> boundary_points(const Document<2>& document);
-
 /// The curve of a document in `box`, seeded at its boundary constraints.
 Contour contour(const Document<2>& document, const Field<2>& field, const Box<2>& box,
                 const ContourOptions& options = {});

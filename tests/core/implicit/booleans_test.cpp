@@ -6,6 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/implicit/blobby.h"
+#include "core/implicit/boxed.h"
 #include "core/implicit/primitives.h"
 #include "core/implicit/torus.h"
 #include "tests/support/differences.h"
@@ -122,6 +123,18 @@ TEST(Booleans, Boxes) {
   EXPECT_EQ(Difference<3>(a, b).bounding_box().sizes().x(), 2.5);
   const Sphere<3> kept({0, 0, 0}, 1);
   EXPECT_EQ(Union<3>({borrow(kept)}).value({0, 0, 0}), 1);
+}
+
+TEST(Boxed, IsTheSameFieldInAnotherBox) {
+  const Sphere<3> sphere({0, 0, 0}, 1);
+  const Box<3> box(Point<3>(-2, -1, 0), Point<3>(1, 3, 4));
+  const Boxed<3> boxed(borrow<3>(sphere), box);
+  EXPECT_EQ(boxed.bounding_box().min(), box.min());
+  EXPECT_EQ(boxed.bounding_box().max(), box.max());
+  const Point<3> x(0.3, -0.4, 5);
+  EXPECT_EQ(boxed.value(x), sphere.value(x));
+  EXPECT_EQ(boxed.gradient(x), sphere.gradient(x));
+  EXPECT_EQ(boxed.gradient_bound(box), sphere.gradient_bound(box));
 }
 
 }  // namespace

@@ -18,18 +18,8 @@
 namespace seesaw {
 namespace {
 
-Points<3> seeds_of(const Constraints<3>& constraints) {
-  Points<3> seeds(3, 0);
-  for (const Constraint<3>& each : constraints) {
-    if (each.kind != ConstraintKind::boundary) continue;
-    seeds.conservativeResize(3, seeds.cols() + 1);
-    seeds.rightCols(1) = each.at;
-  }
-  return seeds;
-}
-
 MeshReport meshed(const Field<3>& field, const Constraints<3>& constraints, int cells) {
-  return check_mesh(polygonize(field, seeds_of(constraints), {.cells = cells, .halvings = 0}).mesh);
+  return check_mesh(polygonize(field, boundary_points(constraints), {.cells = cells, .halvings = 0}).mesh);
 }
 
 #define EXPECT_CLOSED_SURFACE(report, pieces, handles)                    \
@@ -118,7 +108,7 @@ TEST(Surfaces, AdaptiveFitMeetsItsTolerance) {
   // Not the fit's own word for it: the nearest point of a fine mesh of the surface. 2.7 is the model's size;
   // triangles of a hundredth of it deviate by less than a tenth of the tolerance.
   const Polygonization found =
-      polygonize(made.fitted.function, seeds_of(made.made.constraints), {.cells = 100});
+      polygonize(made.fitted.function, boundary_points(made.made.constraints), {.cells = 100});
   const MeshReport report = check_mesh(found.mesh);
   EXPECT_CLOSED_SURFACE(report, 1, 1);
   const double longest = bounding_box_of<3>(mesh.vertices).sizes().maxCoeff();
