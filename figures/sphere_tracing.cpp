@@ -1,5 +1,7 @@
 // T&O 2002, section 7.2: sphere tracing by the steepest of 2,000 samples, as the paper has it, beside sphere
 // tracing by proven bounds. What each costs, and what the samples miss.
+#include <algorithm>
+
 #include "core/implicit/boxed.h"
 #include "core/raytrace/evaluation_counts.h"
 #include "core/raytrace/heuristic_tracer.h"
@@ -95,7 +97,7 @@ Figure sphere_tracing(const FigureContext& context) {
   // Bounds may keep to the blade's surroundings; samples are the paper's, in and around all constraints.
   const Scene by_bounds = scene_of(tracers_of({share(Boxed<3>(blade, grown(near, 0.5)))}, true));
   const Scene by_samples = scene_of(tracers_of({blade}, false));
-  const PinholeCamera close = frame(near, {.direction = {0.5, -0.35, 0.8}, .margin = 0.12});
+  const PinholeCamera close = frame(near, {.direction = {0.5, -0.35, 0.8}, .margin = 0.2});
   RenderOptions options{.width = pixels, .height = pixels, .samples = 1, .ambient_rays = 0};
   Image picture = render(by_bounds, close, options, context.progress);
   const std::vector<bool> truth = hits(by_bounds, close, pixels), sampled = hits(by_samples, close, pixels);
@@ -107,9 +109,12 @@ Figure sphere_tracing(const FigureContext& context) {
       invented += sampled[i] && !truth[i];
       if (!truth[i] || sampled[i]) continue;
       ++missed;
-      picture.set(x, y, theme::moved);
+      // One pixel is easily overlooked.
+      for (int v = std::max(0, y - 2); v <= std::min(pixels - 1, y + 2); ++v)
+        for (int u = std::max(0, x - 2); u <= std::min(pixels - 1, x + 2); ++u)
+          picture.set(u, v, theme::moved);
     }
-  Panel panel = image_panel("missed", "a blade; red: missed by samples", picture, size, size);
+  Panel panel = image_panel("missed", "a blade; red marks: missed by samples", picture, size, size);
   panel.facts.update(fit_facts(fitted.report));
   panel.facts["rays_that_meet_the_blade"] = seen;
   panel.facts["of_them_missed_by_samples"] = missed;
