@@ -95,23 +95,26 @@ Figure sphere_tracing(const FigureContext& context) {
   const FieldPointer<3> blade = borrow<3>(fitted.function);
   const Box<3> near = bounding_box_of<3>(boundary_points(document));
   // Bounds may keep to the blade's surroundings; samples are the paper's, in and around all constraints.
-  const Scene by_bounds = scene_of(tracers_of({share(Boxed<3>(blade, grown(near, 0.5)))}, true));
+  const Scene by_bounds = scene_of(tracers_of({share(Boxed<3>(blade, grown(near, 1.0)))}, true));
   const Scene by_samples = scene_of(tracers_of({blade}, false));
-  const PinholeCamera close = frame(near, {.direction = {0.5, -0.35, 0.8}, .margin = 0.2});
+  const PinholeCamera close = frame(near, {.direction = {0.5, -0.35, 0.8}, .margin = 0.15});
   RenderOptions options{.width = pixels, .height = pixels, .samples = 1, .ambient_rays = 0};
   Image picture = render(by_bounds, close, options, context.progress);
-  const std::vector<bool> truth = hits(by_bounds, close, pixels), sampled = hits(by_samples, close, pixels);
+  // Nine rays a pixel: those that slip through are few.
+  constexpr int fine = 3;
+  const int rays = fine * pixels;
+  const std::vector<bool> truth = hits(by_bounds, close, rays), sampled = hits(by_samples, close, rays);
   Index seen = 0, missed = 0, invented = 0;
-  for (int y = 0; y < pixels; ++y)
-    for (int x = 0; x < pixels; ++x) {
-      const auto i = static_cast<std::size_t>(y * pixels + x);
+  for (int y = 0; y < rays; ++y)
+    for (int x = 0; x < rays; ++x) {
+      const auto i = static_cast<std::size_t>(y * rays + x);
       seen += truth[i];
       invented += sampled[i] && !truth[i];
       if (!truth[i] || sampled[i]) continue;
       ++missed;
       // One pixel is easily overlooked.
-      for (int v = std::max(0, y - 2); v <= std::min(pixels - 1, y + 2); ++v)
-        for (int u = std::max(0, x - 2); u <= std::min(pixels - 1, x + 2); ++u)
+      for (int v = std::max(0, y / fine - 2); v <= std::min(pixels - 1, y / fine + 2); ++v)
+        for (int u = std::max(0, x / fine - 2); u <= std::min(pixels - 1, x / fine + 2); ++u)
           picture.set(u, v, theme::moved);
     }
   Panel panel = image_panel("missed", "a blade; red marks: missed by samples", picture, size, size);
