@@ -1,5 +1,7 @@
 #include "core/polygonize/half_edges.h"
 
+#include "core/base/parallel.h"
+
 namespace seesaw {
 
 HalfEdges::HalfEdges(const Faces& faces, Index vertices)
@@ -12,11 +14,13 @@ HalfEdges::HalfEdges(const Faces& faces, Index vertices)
   for (std::size_t v = 0; v < leaving_.size(); ++v) start[v + 1] += start[v];
   std::vector<int> fill(start.begin(), start.end() - 1);
   for (int h = 0; h < size(); ++h) run[at(fill[at(origin(h))]++)] = h;
-  for (int h = 0; h < size(); ++h) {
-    const int from = target(h);
-    for (int i = start[at(from)]; i < start[at(from) + 1]; ++i)
-      if (target(run[at(i)]) == origin(h)) twin_[at(h)] = run[at(i)];
-  }
+  parallel_blocks(size(), 3 * 4096, [&](Index begin, Index end) {
+    for (int h = static_cast<int>(begin); h < static_cast<int>(end); ++h) {
+      const int from = target(h);
+      for (int i = start[at(from)]; i < start[at(from) + 1]; ++i)
+        if (target(run[at(i)]) == origin(h)) twin_[at(h)] = run[at(i)];
+    }
+  });
   for (int h = size() - 1; h >= 0; --h) {
     int& first = leaving_[at(origin(h))];
     if (first < 0 || twin(h) < 0 || twin(first) >= 0) first = h;

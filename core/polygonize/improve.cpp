@@ -143,12 +143,15 @@ void Improver::collapse_below(double length) {
   };
   const double limit = length * length;
   for (bool again = true; again;) {
+    std::vector<double> lengths(static_cast<std::size_t>(net_.size()), 2 * limit + 1);
+    parallel_blocks(net_.size(), 3 * 4096, [&](Index begin, Index end) {
+      for (int h = static_cast<int>(begin); h < static_cast<int>(end); ++h)
+        if (net_.is_alive(h) && (net_.twin(h) > h || net_.twin(h) < 0))
+          lengths[static_cast<std::size_t>(h)] = (at(net_.origin(h)) - at(net_.target(h))).squaredNorm();
+    });
     std::vector<Edge> edges;
     for (int h = 0; h < net_.size(); ++h)
-      if (net_.is_alive(h) && (net_.twin(h) > h || net_.twin(h) < 0)) {
-        const double its = (at(net_.origin(h)) - at(net_.target(h))).squaredNorm();
-        if (its <= limit) edges.push_back({its, h});
-      }
+      if (const double its = lengths[static_cast<std::size_t>(h)]; its <= limit) edges.push_back({its, h});
     std::sort(edges.begin(), edges.end());
     Index collapsed = 0;
     for (const Edge& edge : edges) {
@@ -206,7 +209,7 @@ void Improver::slide_all(Sampler& sampler) {
   std::sort(movable.begin(), movable.end());
   movable.erase(std::unique(movable.begin(), movable.end()), movable.end());
   Points<3> targets(3, static_cast<Index>(movable.size()));
-  for (std::size_t i = 0; i < movable.size(); ++i) {
+  const auto propose = [&](std::size_t i) {
     const Vector here = at(movable[i]);
     Vector sum = Vector::Zero(), normal = Vector::Zero();
     double count = 0;
@@ -220,7 +223,10 @@ void Improver::slide_all(Sampler& sampler) {
     if (const double size = normal.squaredNorm(); size > 0) move -= normal * (normal.dot(move) / size);
     if (const double size = move.norm(); size > slide * cell_) move *= slide * cell_ / size;
     targets.col(static_cast<Index>(i)) = here + move;
-  }
+  };
+  parallel_blocks(targets.cols(), 1024, [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) propose(static_cast<std::size_t>(i));
+  });
   const Projected projected = project(sampler, targets, {}, {.leash = 0.25 * cell_, .steps = 1});
   for (std::size_t i = 0; i < movable.size(); ++i) {
     if (!projected.good[i]) continue;
