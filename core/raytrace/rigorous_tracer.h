@@ -16,7 +16,8 @@
 // apart; where f changes sign twice within `resolution`, a chord that short may be passed over. What remains
 // within a bracket of one resolution is polished to rounding. A ray that runs along the surface so closely
 // that |f| < L * resolution for many steps in a row is let go with a resolution that grows by a tenth each
-// such step: it would never end otherwise. All this is as rigorous as the field's gradient_bound; where that
+// such step: it would never end otherwise. Along a blade of cones (kernel r) a chord of 70 resolutions was
+// seen to be missed. All this is as rigorous as the field's gradient_bound; where that
 // is infinite nothing is promised, and steps are `blind_step` long.
 //
 // Before it: surface_tracer.h, bound_tree.h. After it: solid.h.
