@@ -27,7 +27,7 @@ struct Walker {
   bool doubtful = false;      // the last try went too far
   double changed_at = 0;      // the sign is known to differ here ...
   bool change_known = false;  // ... if it is known
-  double resolution = 0;      // `finest`, or more for a ray that keeps grazing
+  double resolution = 0;      // `finest`, or more for a ray that keeps grazing, or where there is no bound
   double asked = 0;
   Asking asking = Asking::nothing;
   RootSearch root = {};
@@ -128,8 +128,13 @@ struct Walker {
       doubtful = true;
       return;
     }
-    if (std::isfinite(bound)) resolution = proven ? finest : 1.1 * resolution;
     slope = (std::abs(value) - std::abs(fa)) / length;
+    // A ray that keeps grazing takes longer steps, but none beyond half the way to where |f| is heading for
+    // zero.
+    if (std::isfinite(bound)) {
+      const double heading = slope < 0 ? 0.5 * std::abs(value) / -slope : ray.end - asked;
+      resolution = proven ? finest : std::clamp(heading, finest, 1.1 * resolution);
+    }
     slope_known = true;
     doubtful = false;
     a = asked, fa = value;

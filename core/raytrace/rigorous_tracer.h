@@ -16,9 +16,9 @@
 // apart; where f changes sign twice within `resolution`, a chord that short may be passed over. What remains
 // within a bracket of one resolution is polished to rounding. A ray that runs along the surface so closely
 // that |f| < L * resolution for many steps in a row is let go with a resolution that grows by a tenth each
-// such step: it would never end otherwise. Along a blade of cones (kernel r) a chord of 70 resolutions was
-// seen to be missed. All this is as rigorous as the field's gradient_bound; where that
-// is infinite nothing is promised, and steps are `blind_step` long.
+// such step, though never beyond half the way to where |f| is heading for zero: it would hardly end
+// otherwise, and may pass over a dip that nothing announces. All this is as rigorous as the field's
+// gradient_bound; where that is infinite nothing is promised, and steps are `blind_step` long.
 //
 // Before it: surface_tracer.h, bound_tree.h. After it: solid.h.
 #pragma once
