@@ -47,9 +47,6 @@ void fit_round(benchmark::State& state, Kernel kernel, Index n) {
   turns.take("condition", [&] { benchmark::DoNotOptimize(factorization->reciprocal_condition()); });
   turns.take("solve", [&] { benchmark::DoNotOptimize(factorization->solve(values)); });
   turns.take("residual", [&] { benchmark::DoNotOptimize(fitted->function.values(points)); });
-  dense::Symmetric symmetric(n);
-  Eigen::Map<Eigen::MatrixXd>(symmetric.data(), n, n) = definite;
-  turns.take("norm", [&] { benchmark::DoNotOptimize(dense::norm1(symmetric, 0)); });
   // The price of new memory alone: one number in every 4096 bytes.
   turns.take("pages", [&] {
     dense::Symmetric fresh(n);

@@ -61,22 +61,18 @@ Eigen::MatrixXd sum_of_pieces(Index n, Index columns, const Work& work) {
   return sum;
 }
 
-}  // namespace
-
-double norm1(const Symmetric& a, Index first) {
-  const Index n = a.size() - first;
-  if (n == 0) return 0.0;
-  const auto column_sums = [&](Index begin, Index count) -> Eigen::MatrixXd {
-    Values sums = Values::Zero(n - begin);
-    for (Index j = begin; j < begin + count; ++j) {
-      const Eigen::Map<const Values> column(a.data() + (first + j) * (a.size() + 1), n - j);
-      sums[j - begin] += column.lpNorm<1>();
-      sums.tail(n - j - 1) += column.tail(n - j - 1).cwiseAbs();
-    }
-    return sums;
-  };
-  return sum_of_pieces(n, 1, column_sums).maxCoeff();
+// Adds the absolute values of columns j .. j + w - 1, and of the rows that mirror them, to the column sums of
+// the block that begins at `first`.
+void add_column_sums(const Symmetric& a, Index first, Index j, Index w, Eigen::Ref<Eigen::MatrixXd> sums) {
+  const Index n = a.size();
+  for (Index c = std::max(j, first); c < j + w; ++c) {
+    const Eigen::Map<const Values> column(a.data() + c * (n + 1), n - c);
+    sums(c - j, 0) += column.lpNorm<1>();
+    sums.col(0).tail(n - c - 1) += column.tail(n - c - 1).cwiseAbs();
+  }
 }
+
+}  // namespace
 
 #if defined(SEESAW_HAS_LAPACK)
 
@@ -116,50 +112,56 @@ class OneThread {
 
 }  // namespace
 
-Eigen::MatrixXd multiply(const Symmetric& a, const Eigen::MatrixXd& x) {
+// Both of the following go through a strip in panels so narrow that a panel stays in the second-level cache
+// until all that is to be done with it is done: the matrix comes from memory once.
+constexpr Index panel_width = 32;
+
+Eigen::MatrixXd fill_and_multiply(Symmetric& a, const FillColumns& fill, const Eigen::MatrixXd& x) {
   const OneThread alone;
   const Index n = a.size(), m = x.cols();
   const int stride = as_int(n);
-  // A strip of columns, its diagonal block and what lies below, counts as itself and as its mirror image.
-  return sum_of_pieces(n, m, [&](Index j, Index w) {
-    const double* corner = a.data() + j * (n + 1);
-    const Index rows = n - j, below = rows - w;
-    Eigen::MatrixXd y(rows, m);
-    for (Index k = 0; k < m; ++k) {
-      const double* x_here = x.col(k).data() + j;
-      double* y_here = y.col(k).data();
-      cblas_dsymv(CblasColMajor, CblasLower, as_int(w), 1.0, corner, stride, x_here, 1, 0.0, y_here, 1);
-    }
-    // In narrower panels, which stay in the cache while every column of x meets them.
-    y.bottomRows(below).setZero();
-    constexpr Index panel = 32;
-    for (Index c = 0; c < w && below > 0; c += panel)
+  // A panel, its diagonal block and what lies below, counts as itself and as its mirror image.
+  return sum_of_pieces(n, m, [&](Index strip_begin, Index strip_width) {
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(n - strip_begin, m);
+    for (Index c = 0; c < strip_width; c += panel_width) {
+      const Index j = strip_begin + c, w = std::min(panel_width, strip_width - c), below = n - j - w;
+      fill(j, w);
+      const double* corner = a.data() + j * (n + 1);
       for (Index k = 0; k < m; ++k) {
-        const double* matrix = corner + w + c * n;
-        const int width = as_int(std::min(panel, w - c));
-        cblas_dgemv(CblasColMajor, CblasNoTrans, as_int(below), width, 1.0, matrix, stride,
-                    x.col(k).data() + j + c, 1, 1.0, y.col(k).data() + w, 1);
-        cblas_dgemv(CblasColMajor, CblasTrans, as_int(below), width, 1.0, matrix, stride,
-                    x.col(k).data() + j + w, 1, 1.0, y.col(k).data() + c, 1);
+        const double *x_here = x.col(k).data() + j, *x_below = x_here + w;
+        double *y_here = sums.col(k).data() + c, *y_below = y_here + w;
+        cblas_dsymv(CblasColMajor, CblasLower, as_int(w), 1.0, corner, stride, x_here, 1, 1.0, y_here, 1);
+        if (below == 0) continue;
+        cblas_dgemv(CblasColMajor, CblasNoTrans, as_int(below), as_int(w), 1.0, corner + w, stride, x_here, 1,
+                    1.0, y_below, 1);
+        cblas_dgemv(CblasColMajor, CblasTrans, as_int(below), as_int(w), 1.0, corner + w, stride, x_below, 1,
+                    1.0, y_here, 1);
       }
-    return y;
+    }
+    return sums;
   });
 }
 
-void subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v) {
+double subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v, Index first) {
   const OneThread alone;
   const Index n = a.size();
   const int stride = as_int(n), width = as_int(u.cols());
-  for_pieces(n, [&](Index j, Index w) {
-    double* corner = a.data() + j * (n + 1);
-    cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, as_int(w), width, -1.0, u.data() + j, stride,
-                 v.data() + j, stride, 1.0, corner, stride);
-    const Index below = n - j - w;
-    if (below == 0) return;
-    for (const auto& [left, right] : {std::pair{&u, &v}, std::pair{&v, &u}})
-      cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, as_int(below), as_int(w), width, -1.0,
-                  left->data() + j + w, stride, right->data() + j, stride, 1.0, corner + w, stride);
+  const Eigen::MatrixXd sums = sum_of_pieces(n, 1, [&](Index strip_begin, Index strip_width) {
+    Eigen::MatrixXd part = Eigen::MatrixXd::Zero(n - strip_begin, 1);
+    for (Index c = 0; c < strip_width; c += panel_width) {
+      const Index j = strip_begin + c, w = std::min(panel_width, strip_width - c), below = n - j - w;
+      double* corner = a.data() + j * (n + 1);
+      cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, as_int(w), width, -1.0, u.data() + j, stride,
+                   v.data() + j, stride, 1.0, corner, stride);
+      if (below > 0)
+        for (const auto& [left, right] : {std::pair{&u, &v}, std::pair{&v, &u}})
+          cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, as_int(below), as_int(w), width, -1.0,
+                      left->data() + j + w, stride, right->data() + j, stride, 1.0, corner + w, stride);
+      add_column_sums(a, first, j, w, part.bottomRows(n - j));
+    }
+    return part;
   });
+  return sums.maxCoeff();
 }
 
 namespace {
@@ -261,13 +263,17 @@ ConstMap block(const Symmetric& a, Index first) {
 
 }  // namespace
 
-Eigen::MatrixXd multiply(const Symmetric& a, const Eigen::MatrixXd& x) {
+Eigen::MatrixXd fill_and_multiply(Symmetric& a, const FillColumns& fill, const Eigen::MatrixXd& x) {
+  for_pieces(a.size(), fill);
   return block(a, 0).selfadjointView<Eigen::Lower>() * x;
 }
 
-void subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v) {
+double subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v, Index first) {
   for (Index k = 0; k < u.cols(); ++k)
     block(a, 0).selfadjointView<Eigen::Lower>().rankUpdate(u.col(k), v.col(k), -1.0);
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(a.size(), 1);
+  add_column_sums(a, first, 0, a.size(), sums);
+  return sums.maxCoeff();
 }
 
 bool cholesky(Symmetric& a, Index first) {

@@ -4,6 +4,7 @@
 // A symmetric matrix is its lower triangle, column by column.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "core/base/types.h"
@@ -32,16 +33,18 @@ class Symmetric {
   std::unique_ptr<double[], Free> memory_;
 };
 
-/// A X, of A n x n and X n x m with small m.
-Eigen::MatrixXd multiply(const Symmetric& a, const Eigen::MatrixXd& x);
+/// Writes columns begin .. begin + count - 1, on and below the diagonal. Called from any thread.
+using FillColumns = std::function<void(Index begin, Index count)>;
 
-/// A := A - U V' - V U', U and V n x m with small m.
-void subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v);
+/// Fills A and returns A X, of A n x n and X n x m with small m: what has just been written is multiplied
+/// while it is in the cache. `fill` is called once for every column.
+Eigen::MatrixXd fill_and_multiply(Symmetric& a, const FillColumns& fill, const Eigen::MatrixXd& x);
 
 // The following look at the trailing block of A: rows and columns `first` .. n - 1, n - first of them.
 
-/// The largest absolute column sum.
-double norm1(const Symmetric& a, Index first);
+/// A := A - U V' - V U', U and V n x m with small m. Returns the 1-norm of the trailing block, its largest
+/// absolute column sum.
+double subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v, Index first);
 
 /// Overwrites the block with L, block = L L'. False where it is not positive definite (to rounding). About
 /// (n - first)^3 / 3 multiplications.

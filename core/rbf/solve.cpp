@@ -4,7 +4,6 @@
 #include <array>
 
 #include "core/base/check.h"
-#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/rbf/dense.h"
 #include "core/rbf/kernel_sums.h"
@@ -47,30 +46,31 @@ Factorization<Dim>::Factorization(const PointsRef<Dim>& centers, Kernel kernel, 
       qr.colsPermutation().transpose();
   polynomial_ = r.completeOrthogonalDecomposition().pseudoInverse();
 
-  fill(centers, kernel, smoothing);
   // Q' Phi Q = Phi - V Y' - Y V'  with  Z = Phi V T  and  Y = Z - V T' V' Z / 2.
-  const Eigen::MatrixXd z = dense::multiply(matrix_, reflectors_ * triangle_);
-  dense::subtract_products(matrix_, reflectors_,
-                           z - 0.5 * reflectors_ * (triangle_.transpose() * (reflectors_.transpose() * z)));
-  norm1_ = dense::norm1(matrix_, rank_);
+  const Eigen::MatrixXd z =
+      dense::fill_and_multiply(matrix_, columns_of(centers, kernel, smoothing), reflectors_ * triangle_);
+  norm1_ = dense::subtract_products(
+      matrix_, reflectors_, z - 0.5 * reflectors_ * (triangle_.transpose() * (reflectors_.transpose() * z)),
+      rank_);
   positive_definite_ = dense::cholesky(matrix_, rank_);
 }
 
 template <int Dim>
-void Factorization<Dim>::fill(const PointsRef<Dim>& centers, Kernel kernel, double smoothing) {
+dense::FillColumns Factorization<Dim>::columns_of(const PointsRef<Dim>& centers, Kernel kernel,
+                                                  double smoothing) {
   // The loops want the centers as one array a coordinate.
-  const Eigen::Matrix<double, Eigen::Dynamic, Dim> columns = centers.transpose();
-  parallel_blocks(n_, 16, [&](Index begin, Index end) {
-    for (Index j = begin; j < end; ++j) {
+  const Eigen::Matrix<double, Eigen::Dynamic, Dim> coordinates = centers.transpose();
+  return [this, kernel, smoothing, coordinates](Index begin, Index count) {
+    for (Index j = begin; j < begin + count; ++j) {
       std::array<const double*, Dim> from;
-      for (int d = 0; d < Dim; ++d) from[static_cast<std::size_t>(d)] = columns.col(d).data() + j;
-      const Point<Dim> center = centers.col(j);
+      for (int d = 0; d < Dim; ++d) from[static_cast<std::size_t>(d)] = coordinates.col(d).data() + j;
+      const Point<Dim> center = coordinates.row(j);
       auto column = matrix_.column_from(j, j);
       kernel_sums().kernel_values(kernel, Dim, {from.data(), nullptr, n_ - j}, center.data(), column.data());
       if (sign_ < 0) column = -column;
       column[0] += smoothing;
     }
-  });
+  };
 }
 
 template <int Dim>

@@ -60,8 +60,8 @@ class Factorization {
  private:
   using Skinny = Eigen::MatrixXd;  // N x rank
 
-  // matrix_ := s Phi + lambda I, lower triangle.
-  void fill(const PointsRef<Dim>& centers, Kernel kernel, double smoothing);
+  // What fills matrix_ with s Phi + lambda I.
+  dense::FillColumns columns_of(const PointsRef<Dim>& centers, Kernel kernel, double smoothing);
   Values apply_q(Values x) const;             // Q x
   Values apply_q_transposed(Values x) const;  // Q' x
 

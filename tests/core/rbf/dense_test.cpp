@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <atomic>
 
 #include "core/base/random.h"
 #include "core/rbf/inverse_norm.h"
@@ -35,16 +36,24 @@ class DenseTest : public testing::TestWithParam<std::tuple<Index, Index>> {
 TEST_P(DenseTest, ProductsUpdatesAndNorms) {
   const Eigen::MatrixXd half = random_matrix(n, n, random), a = half + half.transpose();
   const Eigen::MatrixXd x = random_matrix(n, 4, random), y = random_matrix(n, 4, random);
-  dense::Symmetric s = stored(a);
-  EXPECT_LE((dense::multiply(s, x) - a * x).norm(), 1e-13 * static_cast<double>(n));
-  dense::subtract_products(s, x, y);
+  dense::Symmetric s = stored(Eigen::MatrixXd::Constant(n, n, std::nan("")));
+  std::vector<std::atomic<int>> written(static_cast<std::size_t>(n));
+  const auto fill = [&](Index begin, Index count) {
+    for (Index j = begin; j < begin + count; ++j) {
+      s.column_from(j, j) = a.col(j).tail(n - j);
+      ++written[static_cast<std::size_t>(j)];
+    }
+  };
+  EXPECT_LE((dense::fill_and_multiply(s, fill, x) - a * x).norm(), 1e-13 * static_cast<double>(n));
+  for (const auto& times : written) EXPECT_EQ(times, 1);
+  const double norm1 = dense::subtract_products(s, x, y, first);
   const Eigen::MatrixXd b = a - x * y.transpose() - y * x.transpose();
   for (Index j = 0; j < n; ++j)
     EXPECT_LE((Values(s.column_from(j, j)) - b.col(j).tail(n - j)).norm(), 1e-13 * static_cast<double>(n));
   const Index rest = n - first;
   const double expected =
       rest > 0 ? b.bottomRightCorner(rest, rest).cwiseAbs().colwise().sum().maxCoeff() : 0.0;
-  EXPECT_NEAR(dense::norm1(s, first), expected, 1e-12 * static_cast<double>(n));
+  EXPECT_NEAR(norm1, expected, 1e-12 * static_cast<double>(n));
 }
 
 TEST_P(DenseTest, CholeskySolvesTheTrailingBlock) {
