@@ -9,6 +9,7 @@
 
 #include "core/base/parallel.h"
 #include "core/modelling/foot_points.h"
+#include "core/modelling/point_tree.h"
 
 namespace seesaw {
 
@@ -58,25 +59,13 @@ Boxes halved(const Boxes& boxes) {
 }
 
 /// For each box of `from` its nearest box of `to`: index and distance between the boxes.
-struct Near {
-  Index index = -1;
-  double distance = infinity;
-};
-std::vector<Near> nearest(const Boxes& from, const Boxes& to) {
-  std::vector<Near> result(from.middles.size());
+std::vector<PointTree::Nearest> nearest(const Boxes& from, const Boxes& to) {
+  std::vector<PointTree::Nearest> result(from.middles.size());
+  const PointTree tree(to.middles);
   const Point<3> reach = 0.5 * (from.sides + to.sides);
-  parallel_blocks(from.size(), 8, [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      double best = infinity;
-      Index which = -1;
-      const Point<3> at = from.middles[static_cast<std::size_t>(i)];
-      for (Index j = 0; j < to.size(); ++j) {
-        const double square =
-            ((at - to.middles[static_cast<std::size_t>(j)]).cwiseAbs() - reach).cwiseMax(0).squaredNorm();
-        if (square < best) best = square, which = j;
-      }
-      result[static_cast<std::size_t>(i)] = {which, std::sqrt(best)};
-    }
+  parallel_blocks(from.size(), 64, [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i)
+      result[static_cast<std::size_t>(i)] = tree.nearest(from.middles[static_cast<std::size_t>(i)], reach);
   });
   return result;
 }
@@ -132,23 +121,22 @@ class Search {
         best_.low = best_.distance = infinity;
         return best_;
       }
-      std::array<std::vector<Near>, 2> near = {nearest(boxes_[0], boxes_[1]), nearest(boxes_[1], boxes_[0])};
+      std::array<std::vector<PointTree::Nearest>, 2> near = {nearest(boxes_[0], boxes_[1]),
+                                                             nearest(boxes_[1], boxes_[0])};
       improve(near[0]);
       best_.low = infinity;
-      for (const Near& each : near[0]) best_.low = std::min(best_.low, each.distance);
+      for (const PointTree::Nearest& each : near[0]) best_.low = std::min(best_.low, each.distance);
       best_.low = std::min(best_.low, best_.distance);
       if (best_.distance - best_.low <= options_.width * scale_) break;
       for (std::size_t k = 0; k < 2; ++k) discard(boxes_[k], near[k]);
-      if (static_cast<double>(boxes_[0].size()) * static_cast<double>(boxes_[1].size()) * 16 >
-          static_cast<double>(options_.pairs))
-        break;
+      if (boxes_[0].size() + boxes_[1].size() > options_.boxes) break;
     }
     return best_;
   }
 
  private:
   /// Walks and slides from the nearest pairs of boxes.
-  void improve(const std::vector<Near>& near) {
+  void improve(const std::vector<PointTree::Nearest>& near) {
     std::vector<Index> order(near.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
     constexpr std::size_t tries = 6;
@@ -173,7 +161,7 @@ class Search {
     }
   }
 
-  void discard(Boxes& boxes, const std::vector<Near>& near) const {
+  void discard(Boxes& boxes, const std::vector<PointTree::Nearest>& near) const {
     std::vector<Point<3>> kept;
     for (std::size_t i = 0; i < boxes.middles.size(); ++i)
       if (!(near[i].distance > best_.distance * (1 + 1e-12))) kept.push_back(boxes.middles[i]);

@@ -5,18 +5,15 @@
 // The clearance is the smallest distance between a point where f_A = 0 and one where f_B = 0. Two halves:
 //
 //   from below   boxes proven free of a surface (|f(m)| > R sup |grad f|) are thrown away, the others halved
-//   in
-//                each direction. The smallest distance between a box of A's and one of B's is a proven lower
-//                bound of the clearance. Boxes that are farther from all of the other's than a pair of points
-//                already found is, are thrown away too: soon only those around the nearest points are left.
+//                in each direction. The smallest distance between a box of A's and one of B's is a proven
+//                lower bound of the clearance. Boxes that are farther from all of the other's than a pair of
+//                points already found is, are thrown away too: soon only those around the nearest points are
+//                left.
 //   from above   from the nearest pairs of boxes two points are walked onto the surfaces, and then slide
-//   along
-//                them toward each other until the segment between them is normal to both. Every such pair is
-//                an upper bound, and after the slide usually the clearance to rounding.
+//                along them toward each other until the segment between them is normal to both. Every such
+//                pair is an upper bound, and after the slide usually the clearance to rounding.
 //
-// So [low, distance] holds the true clearance; how wide that is, is up to `width` and the work allowed. For
-// interpolants of a thousand centers, whose bounds are loose for large boxes, `low` is often 0 for all the
-// work allowed; the distance is then a minimum from several starts, and no more is proven.
+// So [low, distance] holds the true clearance; how wide that is, is up to `width` and the work allowed.
 #pragma once
 
 #include "core/base/progress.h"
@@ -27,8 +24,8 @@ namespace seesaw {
 struct ClearanceOptions {
   /// Stop when distance - low is at most this fraction of the longest side of the box around both.
   double width = 0.01;
-  /// Stop at this many pairs of boxes, of one generation.
-  Index pairs = 20'000'000;
+  /// Stop at this many boxes of one generation, of both surfaces together.
+  Index boxes = 200'000;
 };
 
 struct Clearance {

@@ -5,7 +5,7 @@
 // L of the smallest box around a point then says how far a ray may step there (Kalra and Barr 1989 had the
 // idea of boxes with bounds; here the bounds are Field::gradient_bound).
 //
-// A bound of an interpolant costs about a hundred values of it. So a box that is nearly empty by the bound of
+// A bound of an interpolant costs some twenty values of it. So a box that is nearly empty by the bound of
 // the box it was cut from is cut again with that bound, which holds in it too; only where that would lead far
 // does it ask for a bound of its own. And boxes are made only when a ray comes along: what is hidden or off
 // the picture costs nothing. What a box holds, and whether it is cut, depends on the box alone, so that
@@ -23,9 +23,9 @@ namespace seesaw {
 
 struct BoundTreeOptions {
   /// A box is cut when its bound exceeds `pays` times the gradient in its middle ...
-  double pays = 3;
+  double pays = 2;
   /// ... and its longest side is more than this, relative to the longest side of the tree.
-  double smallest_side = 1.0 / 64;
+  double smallest_side = 1.0 / 256;
   /// A box asks for a bound of its own where the bound that it inherits is more than this many times too
   /// large to prove it empty, 1 or more.
   double inherits = 3;

@@ -194,7 +194,8 @@ double Interpolant<Dim>::gradient_bound(const Box<Dim>& box) const {
   if (box.isEmpty()) return 0.0;
   const Box<Dim> normalized((box.min() - normalization_.center) / normalization_.scale,
                             (box.max() - normalization_.center) / normalization_.scale);
-  return kernel_gradient_bound<Dim>(kernel_, normalized_, solution_.weights,
+  const auto starts = column_starts<Dim>(columns_);
+  return kernel_gradient_bound<Dim>(kernel_, {starts.data(), solution_.weights.data(), size()},
                                     solution_.polynomial.template tail<Dim>(), normalized) /
          normalization_.scale;
 }

@@ -15,6 +15,7 @@
 #include <cstdint>
 
 #include "core/rbf/kernel.h"
+#include "core/rbf/monomials.h"
 
 namespace seesaw {
 
@@ -32,6 +33,40 @@ struct PointArrays {
   std::int64_t count = 0;
   static constexpr std::int64_t padding = 8;
 };
+
+/// A ball, and what its neighborhood is: centers up to `near` from the middle.
+struct Ball {
+  const double* middle = nullptr;
+  double radius = 0, near = 0;
+};
+
+/// Where each part stands in what `KernelSums::ball` sums up. With x = middle - c_j and a_q(r) the q-fold
+/// (1/r d/dr) of phi, moment (q, n) is sum_j w_j a_q(r_j) x_j^k over the monomials k of degree n
+/// (monomials.h). The derivatives of order 1 .. 5 take (order - p, order - 2 p), p = 0 .. order / 2.
+template <int Dim>
+struct BallSums {
+  static constexpr int orders = 5;
+  int moment[orders + 1][orders + 1] = {};  ///< [q][n]: where it starts
+  int remainder = 0;                        ///< sum_j |w_j| / (r_j - radius)^{6 - growth}, not near
+  int near = 0;                             ///< sum_j |w_j|, near
+  int magnitude = 0;                        ///< of all that was added up, for the rounding
+  int count = 0;
+};
+template <int Dim>
+consteval BallSums<Dim> make_ball_sums() {
+  BallSums<Dim> s;
+  for (int order = 1; order <= BallSums<Dim>::orders; ++order)
+    for (int p = 0; 2 * p <= order; ++p) {
+      s.moment[order - p][order - 2 * p] = s.count;
+      s.count += monomials<Dim>.count[order - 2 * p];
+    }
+  s.remainder = s.count++;
+  s.near = s.count++;
+  s.magnitude = s.count++;
+  return s;
+}
+template <int Dim>
+inline constexpr BallSums<Dim> ball_sums = make_ball_sums<Dim>();
 
 /// The loops for one instruction set. All pointers must be set and have room for the padded count.
 struct KernelSums {
@@ -53,6 +88,11 @@ struct KernelSums {
 
   /// values[j] = phi(|x - c_j|), over centers; weights are not used. The rows of eq. 8's matrix.
   void (*kernel_values)(Kernel, int dimension, const CenterArrays&, const double* point, double* values);
+
+  /// The sums that bound |grad f| in a ball (gradient_bound.h), as BallSums lays them out. Near centers count
+  /// in the derivatives that exist across them: up to the second for r^3, the first for r^2 log r, none for
+  /// r. Logarithms are of r / radius (of r for a ball without one).
+  void (*ball)(Kernel, int dimension, const CenterArrays&, const Ball&, double* sums);
 };
 
 /// The largest dimension the loops are compiled for.

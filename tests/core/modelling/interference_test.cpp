@@ -10,6 +10,7 @@
 #include "core/implicit/torus.h"
 #include "core/modelling/clearance.h"
 #include "core/modelling/foot_points.h"
+#include "core/modelling/point_tree.h"
 #include "core/rbf/fit.h"
 #include "tests/core/modelling/models.h"
 
@@ -163,6 +164,52 @@ TEST(Clearance, CrossingSurfacesHaveNone) {
   const Clearance found = clearance(Sphere<3>({0, 0, 0}, 1), Sphere<3>({1, 0, 0}, 1));
   EXPECT_EQ(found.low, 0);
   EXPECT_LT(found.distance, 1e-6);
+}
+
+// What a model of the paper's size needs: the huge weights of boundary and normal constraints 0.01 apart must
+// not leave proofs without a chance.
+TEST(Clearance, ProvesModelsOfManyConstraintsApart) {
+  Constraints<3> constraints;
+  Random random(3);
+  for (int i = 0; i < 300; ++i) {
+    const Point<3> direction = random.direction<3>();
+    const double radius = 0.5 + 0.1 * std::sin(5 * direction.x());
+    constraints.push_back(boundary<3>(radius * direction, direction));
+  }
+  const auto a = fit(constraints).function;
+  for (auto& constraint : constraints) constraint.at.x() += 1.4;
+  const auto b = fit(constraints).function;
+  const Interference found = interference(a, b);
+  EXPECT_FALSE(found.overlap);
+  EXPECT_TRUE(found.certain);
+  const Clearance gap = clearance(a, b);
+  EXPECT_LE(gap.low, gap.distance);
+  EXPECT_GT(gap.low, gap.distance - 0.05);
+}
+
+TEST(PointTree, FindsWhatLookingAtAllFinds) {
+  Random random(4);
+  for (const Index n : {0, 1, 8, 9, 500}) {
+    std::vector<Point<3>> points;
+    // On a lattice, where many are equally near.
+    for (Index i = 0; i < n; ++i)
+      points.push_back(Point<3>(static_cast<double>(random.index(9)), static_cast<double>(random.index(9)),
+                                static_cast<double>(random.index(9))));
+    const PointTree tree(points);
+    for (int i = 0; i < 200; ++i) {
+      const Point<3> at(random.uniform(-4, 13), random.uniform(-4, 13), random.uniform(-4, 13));
+      const Point<3> reach(0.5, random.uniform(0, 2), 0);
+      PointTree::Nearest expected;
+      for (Index k = 0; k < n; ++k) {
+        const double distance =
+            ((points[static_cast<std::size_t>(k)] - at).cwiseAbs() - reach).cwiseMax(0).norm();
+        if (distance < expected.distance) expected = {k, distance};
+      }
+      const PointTree::Nearest found = tree.nearest(at, reach);
+      EXPECT_EQ(found.index, expected.index);
+      EXPECT_DOUBLE_EQ(found.distance, expected.distance);
+    }
+  }
 }
 
 }  // namespace

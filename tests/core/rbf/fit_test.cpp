@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/rbf/energy.h"
+#include "core/rbf/gradient_bound.h"
 #include "tests/core/rbf/dense_oracle.h"
 #include "tests/support/differences.h"
 #include "tests/support/shapes.h"
@@ -192,6 +193,36 @@ TYPED_TEST(FitIn, GradientBoundHoldsAndTightens) {
       excess = now;
     }
     EXPECT_LT(excess, 1e-3);
+  }
+}
+
+// One center at a distance of d radii, for which the true maximum is known: at the point of the ball that is
+// farthest from it, for r^3 3 (d + 1)^2. Tensors' norms and the sixth derivatives' constants show here.
+TYPED_TEST(FitIn, GradientBoundOfOneCenter) {
+  constexpr int Dim = TypeParam::value;
+  std::array<double, Dim> coordinates;
+  std::array<const double*, Dim> rows;
+  const double weight = 1;
+  for (std::size_t d = 0; d < Dim; ++d) rows[d] = &coordinates[d];
+  Random random(9);
+  const Box<Dim> box(Point<Dim>::Constant(-1 / std::sqrt(Dim)), Point<Dim>::Constant(1 / std::sqrt(Dim)));
+  for (const char* loops : {"portable", "avx2", "avx512"}) {
+    const KernelSums* before = &kernel_sums();
+    if (!kernel_sums_named(loops)) continue;
+    use_kernel_sums(*kernel_sums_named(loops));
+    for (const double d : {0.0, 0.5, 1.4, 1.51, 1.6, 2.0, 3.0, 10.0, 1000.0})
+      for (int i = 0; i < 5; ++i) {
+        const Point<Dim> center = d * random.direction<Dim>();
+        for (std::size_t k = 0; k < Dim; ++k) coordinates[k] = center[static_cast<Index>(k)];
+        const CenterArrays centers{rows.data(), &weight, 1};
+        const double bound = kernel_gradient_bound<Dim>(Kernel::cubic, centers, Point<Dim>::Zero(), box);
+        const double largest = 3 * (d + 1) * (d + 1);
+        EXPECT_GE(bound, largest * (1 - 1e-12)) << d;
+        EXPECT_LE(bound, largest * (d > 2.9 ? 1.6 : 3)) << d;
+        // Its gradient is a unit vector everywhere.
+        EXPECT_GE(kernel_gradient_bound<Dim>(Kernel::linear, centers, Point<Dim>::Zero(), box), 1);
+      }
+    use_kernel_sums(*before);
   }
 }
 
