@@ -7,6 +7,7 @@
 #include "core/image/chart.h"
 #include "core/implicit/booleans.h"
 #include "core/modelling/clearance.h"
+#include "core/modelling/model_constraints.h"
 #include "core/modelling/polygonal_torus.h"
 #include "core/raytrace/rigorous_tracer.h"
 #include "figures/studio.h"
@@ -19,19 +20,6 @@ namespace {
 // Interpolation is invariant under motion: moved constraints give the moved solid.
 Constraints<3> moved(Constraints<3> constraints, const Point<3>& by) {
   for (Constraint<3>& each : constraints) each.at += by;
-  return constraints;
-}
-
-// Boundary constraints on a torus, interior ones along its core.
-Constraints<3> ring_constraints(const TorusShape& shape) {
-  constexpr int around = 10;
-  Constraints<3> constraints;
-  const TriangleMesh mesh = polygonal_torus(shape, around, 5);
-  for (Index i = 0; i < mesh.vertices.cols(); ++i) constraints.push_back(boundary<3>(mesh.vertices.col(i)));
-  const TriangleMesh core =
-      polygonal_torus({.axis = shape.axis, .major = shape.major, .minor = 1e-9}, around, 3);
-  for (Index i = 0; i < core.vertices.cols(); i += 3)
-    constraints.push_back(interior<3>(core.vertices.col(i)));
   return constraints;
 }
 
@@ -52,8 +40,9 @@ Figure interference_figure(const FigureContext& context) {
           "functions are positive there. Bounds on the functions prove how large the common volume is, "
           "and that there is none."};
   const Constraints<3> bone = constraints_of(scene_named(context, "kernels-3d"));
-  const SurfacePointer ring = fit_surface(
-      ring_constraints({.axis = Point<3>(0.35, 0, 1), .major = 1.05, .minor = 0.36}), {.cells = 60});
+  const TriangleMesh torus =
+      polygonal_torus({.axis = Point<3>(0.35, 0, 1), .major = 1.05, .minor = 0.36}, 18, 10);
+  const SurfacePointer ring = fit_surface(constraints_from(torus).constraints, {.cells = 60});
   const Point<3> way(-1, 0.25, 0.2);  // the bone moves along it
 
   const double places[] = {3.1, 2.2, 0.9};
@@ -127,7 +116,7 @@ Figure interference_figure(const FigureContext& context) {
   chart.x = {.label = "place of the bone on its way"};
   chart.y = {.label = "common volume"};
   chart.series = {high, low, volume};
-  chart.legend = Legend::top_right;
+  chart.legend = Legend::top_left;
   Panel panel{.name = "volume", .title = "the common volume on the whole way", .width = 300, .height = 240};
   panel.draw = [chart](Canvas& canvas, const Rect& region) { draw_chart(canvas, region, chart); };
   panel.facts["greatest_common_volume"] = *std::max_element(volume.y.begin(), volume.y.end());

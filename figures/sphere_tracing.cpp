@@ -2,6 +2,7 @@
 // tracing by proven bounds. What each costs, and what the samples miss.
 #include <algorithm>
 
+#include "core/base/parallel.h"
 #include "core/implicit/boxed.h"
 #include "core/raytrace/evaluation_counts.h"
 #include "core/raytrace/heuristic_tracer.h"
@@ -45,7 +46,12 @@ std::vector<bool> hits(const Scene& scene, const PinholeCamera& camera, int n) {
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x) rays.push_back(ray_through(camera, (x + 0.5) / n, (y + 0.5) / n, 1));
   std::vector<SolidCrossings> found(rays.size());
-  scene.solids[0].trace(rays, HowMany::first, found);
+  parallel_blocks(n, 1, [&](Index begin, Index end) {  // rows
+    const auto first = static_cast<std::size_t>(begin * n),
+               count = static_cast<std::size_t>((end - begin) * n);
+    scene.solids[0].trace(std::span(rays).subspan(first, count), HowMany::first,
+                          std::span(found).subspan(first, count));
+  });
   std::vector<bool> hit(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) hit[i] = !found[i].crossings.empty();
   return hit;
@@ -94,8 +100,7 @@ Figure sphere_tracing(const FigureContext& context) {
   const Fit<3> fitted = fit(constraints_of(document), {.kernel = document.kernel});
   const FieldPointer<3> blade = borrow<3>(fitted.function);
   const Box<3> near = bounding_box_of<3>(boundary_points(document));
-  // Bounds may keep to the blade's surroundings; samples are the paper's, in and around all constraints.
-  const Scene by_bounds = scene_of(tracers_of({share(Boxed<3>(blade, grown(near, 1.0)))}, true));
+  const Scene by_bounds = scene_of(tracers_of({blade}, true));
   const Scene by_samples = scene_of(tracers_of({blade}, false));
   const PinholeCamera close = frame(near, {.direction = {0.5, -0.35, 0.8}, .margin = 0.15});
   RenderOptions options{.width = pixels, .height = pixels, .samples = 1, .ambient_rays = 0};
