@@ -19,6 +19,8 @@ constexpr std::array<Key, 8> corner_steps = [] {
   return steps;
 }();
 
+constexpr std::array<int, 8> unknown = {-1, -1, -1, -1, -1, -1, -1, -1};
+
 }  // namespace
 
 std::size_t MemoryBound::total(std::size_t bytes, std::size_t cubes) {
@@ -45,14 +47,17 @@ std::size_t Continuation::bytes() const {
          wave_.capacity() * sizeof(Visit) + blocked_.capacity() * sizeof(Key);
 }
 
-void Continuation::look_at(const Corner& cube) {
+bool Continuation::look_at(const Corner& cube) {
   const Key key = key_of(cube);
   if (!lattice_.range.contains(cube)) {
     blocked_.push_back(key);
-  } else if (const int known = looked_at_.size(); looked_at_.insert(key) == known) {
-    wave_.push_back({key, known, {}});
-    crossed_.push_back(false);
+    return false;
   }
+  const int known = looked_at_.size();
+  if (looked_at_.insert(key) != known) return false;
+  wave_.push_back({key, known, unknown});
+  crossed_.push_back(false);
+  return true;
 }
 
 void Continuation::unblock() {
@@ -70,11 +75,11 @@ void Continuation::keep_range() {
 void Continuation::evaluate_corners() {
   const std::size_t known = found_.corners.size();
   for (Visit& visit : wave_)
-    for (int c = 0; c < 8; ++c) {
-      const Key corner = visit.key + corner_steps[static_cast<std::size_t>(c)];
-      const int number = numbers_.insert(corner);
-      if (number == static_cast<int>(found_.corners.size())) found_.corners.push_back(corner);
-      visit.corner[static_cast<std::size_t>(c)] = number;
+    for (std::size_t c = 0; c < 8; ++c) {
+      if (visit.corner[c] >= 0) continue;
+      const Key corner = visit.key + corner_steps[c];
+      visit.corner[c] = numbers_.insert(corner);
+      if (visit.corner[c] == static_cast<int>(found_.corners.size())) found_.corners.push_back(corner);
     }
   Points<3> points(3, static_cast<Index>(found_.corners.size() - known));
   for (Index i = 0; i < points.cols(); ++i)
@@ -101,9 +106,13 @@ bool Continuation::run(std::size_t most_cubes) {
       const unsigned faces = crossed_faces(crossed.inside);
       for (int face = 0; face < 6; ++face) {
         if (!(faces >> face & 1u)) continue;
+        const unsigned axis = static_cast<unsigned>(face) / 2, side = static_cast<unsigned>(face) % 2;
         Corner next = corner_of(visit.key);
-        next[static_cast<std::size_t>(face / 2)] += face % 2 == 1 ? 1 : -1;
-        look_at(next);
+        next[axis] += side == 1 ? 1 : -1;
+        if (!look_at(next)) continue;
+        // It shares the face's corners, which have their numbers.
+        for (unsigned c = 0; c < 8; ++c)
+          if ((c >> axis & 1u) == side) wave_.back().corner[c ^ 1u << axis] = visit.corner[c];
       }
     }
   }

@@ -61,7 +61,8 @@ class Continuation {
       : lattice_(lattice), sampler_(sampler), memory_(memory) {}
 
   /// A cube to look at when `run` is called next; one outside the lattice's range is only remembered.
-  void look_at(const Corner& cube);
+  /// Whether it will be: false for a cube that was looked at before, too.
+  bool look_at(const Corner& cube);
   /// Follows the surface from the cubes given until nothing is left, or until more than `most_cubes` are
   /// crossed: then returns false.
   bool run(std::size_t most_cubes = ~std::size_t{0});
@@ -83,7 +84,7 @@ class Continuation {
   void keep_range();
 
  private:
-  // A cube of the wave, and its place among all that were looked at.
+  // A cube of the wave, its place among all that were looked at, and its corners as far as they are known.
   struct Visit {
     Key key;
     int number;

@@ -9,16 +9,20 @@ HalfEdges::HalfEdges(const Faces& faces, Index vertices)
       twin_(static_cast<std::size_t>(faces.size()), -1),
       leaving_(static_cast<std::size_t>(vertices), -1) {
   // The half-edges that leave each vertex, one run a vertex.
-  std::vector<int> start(leaving_.size() + 1, 0), run(origin_.size());
+  std::vector<int> start(leaving_.size() + 1, 0), run(origin_.size()), ends(origin_.size());
   for (const int v : origin_) ++start[at(v) + 1];
   for (std::size_t v = 0; v < leaving_.size(); ++v) start[v + 1] += start[v];
   std::vector<int> fill(start.begin(), start.end() - 1);
-  for (int h = 0; h < size(); ++h) run[at(fill[at(origin(h))]++)] = h;
+  for (int h = 0; h < size(); ++h) {
+    const std::size_t place = at(fill[at(origin(h))]++);
+    run[place] = h;
+    ends[place] = target(h);
+  }
   parallel_blocks(size(), 3 * 4096, [&](Index begin, Index end) {
     for (int h = static_cast<int>(begin); h < static_cast<int>(end); ++h) {
       const int from = target(h);
       for (int i = start[at(from)]; i < start[at(from) + 1]; ++i)
-        if (target(run[at(i)]) == origin(h)) twin_[at(h)] = run[at(i)];
+        if (ends[at(i)] == origin(h)) twin_[at(h)] = run[at(i)];
     }
   });
   for (int h = size() - 1; h >= 0; --h) {
@@ -28,9 +32,7 @@ HalfEdges::HalfEdges(const Faces& faces, Index vertices)
 }
 
 bool HalfEdges::are_neighbors(int a, int b) const {
-  bool result = false;
-  for_each_leaving(a, [&](int h) { result = result || target(h) == b || origin(previous(h)) == b; });
-  return result;
+  return any_leaving(a, [&](int h) { return target(h) == b || origin(previous(h)) == b; });
 }
 
 bool HalfEdges::can_collapse(int h) const {
@@ -44,7 +46,7 @@ bool HalfEdges::can_collapse(int h) const {
   }
   int common = 0;
   const auto look_at = [&](int v) {
-    if (v != a && (v == c || v == d || are_neighbors(v, a))) ++common;
+    if (v != a && (v == c || v == d || are_neighbors(a, v))) ++common;
   };
   for_each_leaving(b, [&](int g) {
     look_at(target(g));
@@ -57,9 +59,9 @@ bool HalfEdges::can_collapse(int h) const {
 
 // Whether v has more than three neighbors (on the boundary, two).
 bool HalfEdges::keeps_three(int v) const {
+  const int least = is_boundary(v) ? 2 : 4;
   int faces = 0;
-  for_each_leaving(v, [&](int) { ++faces; });
-  return faces > (is_boundary(v) ? 1 : 3);
+  return any_leaving(v, [&](int) { return ++faces == least; });
 }
 
 // Makes g and h twins; either may be -1.

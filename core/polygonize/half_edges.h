@@ -31,15 +31,25 @@ class HalfEdges {
   int leaving(int v) const { return leaving_[at(v)]; }
   bool is_boundary(int v) const { return leaving(v) < 0 || twin(leaving(v)) < 0; }
 
-  /// visit(h) for the half-edges that leave v, counter-clockwise.
-  template <class Visit>
-  void for_each_leaving(int v, Visit&& visit) const {
+  /// Whether test(h) is true for a half-edge that leaves v; asks no further then.
+  template <class Test>
+  bool any_leaving(int v, Test&& test) const {
     const int first = leaving(v);
     for (int h = first; h >= 0;) {
-      visit(h);
+      if (test(h)) return true;
       h = twin(previous(h));
       if (h == first) break;
     }
+    return false;
+  }
+
+  /// visit(h) for the half-edges that leave v, counter-clockwise.
+  template <class Visit>
+  void for_each_leaving(int v, Visit&& visit) const {
+    any_leaving(v, [&](int h) {
+      visit(h);
+      return false;
+    });
   }
 
   /// Whether the edge may collapse into the origin of h: its target is not on the boundary, or the edge

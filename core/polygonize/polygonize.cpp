@@ -9,6 +9,7 @@
 #include "core/polygonize/improve.h"
 #include "core/polygonize/project.h"
 #include "core/polygonize/stopwatch.h"
+#include "core/polygonize/triangle_quality.h"
 
 namespace seesaw {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/parallel.h"
 #include "core/polygonize/project.h"
 
 namespace seesaw {
@@ -105,8 +106,7 @@ void find_on_mesh(std::vector<Seed>& seeds, const LatticeMesh& mesh, const Latti
                   const CrossedCubes& found, Sampler& sampler) {
   std::vector<Nearest> nearest(seeds.size());
   const auto before = [](const CrossedCube& cube, Key key) { return cube.key < key; };
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    if (seeds[i].on_surface) continue;
+  const auto look_around = [&](std::size_t i) {
     const Corner cube = lattice.cube_at(seeds[i].at);
     for (int z = std::max(0, cube[2] - 1); z <= cube[2] + 1; ++z)
       for (int y = std::max(0, cube[1] - 1); y <= cube[1] + 1; ++y) {
@@ -119,7 +119,11 @@ void find_on_mesh(std::vector<Seed>& seeds, const LatticeMesh& mesh, const Latti
             nearest[i].look_at(seeds[i], mesh, f);
         }
       }
-  }
+  };
+  parallel_blocks(static_cast<Index>(seeds.size()), 32, [&](Index begin, Index end) {
+    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      if (!seeds[i].on_surface) look_around(i);
+  });
   settle(seeds, nearest, lattice.cell(), sampler);
 }
 
