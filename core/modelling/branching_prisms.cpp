@@ -1,5 +1,6 @@
 #include "core/modelling/branching_prisms.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -37,7 +38,12 @@ Prism child_of(const Prism& parent, int k, const BranchingPrismsOptions& options
   child.frame.col(0) = c * outward - s * parent.up();
   child.frame.col(1) = across;
   child.frame.col(2) = s * outward + c * parent.up();
-  child.foot = parent.foot + (parent.height + options.lift * child.radius) * parent.up() +
+  // In parent radii along `outward`, the top reaches from -1/2 to 1, and the foot above it sinks by
+  // tan(tilt): it is nearest at one end of what they share.
+  const double from = std::max(-0.5, options.spread - 0.5 * options.shrink * c);
+  const double to = std::min(1.0, options.spread + options.shrink * c);
+  const double sunk = ((options.tilt < 0 ? from : to) - options.spread) * s / c;
+  child.foot = parent.foot + (parent.height + (options.gap + sunk) * parent.radius) * parent.up() +
                options.spread * parent.radius * outward;
   return child;
 }
@@ -50,6 +56,7 @@ BranchingPrisms branching_prisms(const BranchingPrismsOptions& options) {
   SEESAW_CHECK_LT(0.0, options.radius);
   SEESAW_CHECK_LT(0.0, options.height);
   SEESAW_CHECK_LT(0.0, options.shrink);
+  SEESAW_CHECK_LT(std::abs(options.tilt), 90.0);
 
   std::vector<Prism> all(1);
   all[0].radius = options.radius;

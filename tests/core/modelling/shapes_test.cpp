@@ -1,10 +1,14 @@
 // Cages, prisms, tori, blends.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "core/implicit/booleans.h"
 #include "core/mesh/mesh_check.h"
+#include "core/mesh/self_intersections.h"
 #include "core/modelling/blend.h"
 #include "core/modelling/branching_prisms.h"
 #include "core/modelling/cage.h"
@@ -111,6 +115,32 @@ TEST(BranchingPrisms, Count) {  // 1 + 3 + 9 + 27 prisms of six corners and a ce
   const double first = 0.75 * std::sqrt(3) * o.radius * o.radius * o.height, q = 3 * std::pow(o.shrink, 3);
   EXPECT_NEAR(report.volume, first * (1 + q + q * q + q * q * q), 1e-12 * report.volume);
   EXPECT_EQ(branching_prisms({.generations = 1}).constraints.size(), 7u);
+}
+
+// The pairs of different prisms whose faces cross.
+std::set<std::pair<int, int>> crossing_prisms(const BranchingPrismsOptions& options) {
+  std::set<std::pair<int, int>> crossing;
+  for (const auto& [a, b] : self_intersections(branching_prisms(options).prisms))
+    if (a / 8 != b / 8) crossing.insert(std::minmax(a / 8, b / 8));
+  return crossing;
+}
+
+TEST(BranchingPrisms, ChildrenStandOnTheirParents) {
+  // A gap of 0 is where they touch: a hair above nothing crosses, a hair below every child cuts its own
+  // parent and nothing else.
+  std::set<std::pair<int, int>> families;
+  for (int child = 1; child < 40; ++child) families.insert({(child - 1) / 3, child});
+  for (BranchingPrismsOptions each : {BranchingPrismsOptions{},
+                                      {.tilt = 0},
+                                      {.shrink = 0.3, .tilt = 40, .spread = 0.4},  // foot within the top
+                                      {.shrink = 0.4, .tilt = -10}}) {
+    SCOPED_TRACE(each.tilt);
+    each.gap = 0.001;
+    EXPECT_TRUE(crossing_prisms(each).empty());
+    each.gap = -0.001;
+    EXPECT_EQ(crossing_prisms(each), families);
+  }
+  EXPECT_LE(BranchingPrismsOptions().gap, 0.1);
 }
 
 TEST(BranchingPrisms, ThreefoldSymmetry) {

@@ -38,6 +38,31 @@ TEST(Surfaces, BranchingIsOnePieceWithoutHoles) {  // Fig. 2 right
   }
 }
 
+TEST(Surfaces, BranchingIsNoLuckyHit) {  // nearby measures, and one generation more, are as good
+#if defined(__SANITIZE_ADDRESS__)
+  constexpr double changes[] = {0.05};
+#else
+  constexpr double changes[] = {-0.05, 0.05};
+#endif
+  for (const auto measure :
+       {&BranchingPrismsOptions::shrink, &BranchingPrismsOptions::tilt, &BranchingPrismsOptions::spread,
+        &BranchingPrismsOptions::gap, &BranchingPrismsOptions::height})
+    for (const double change : changes) {
+      BranchingPrismsOptions options;
+      // Of the gap, which is small, 5 % would be nothing: half of it.
+      options.*measure *= 1 + (measure == &BranchingPrismsOptions::gap ? 10 : 1) * change;
+      const Constraints<3> made = branching_prisms(options).constraints;
+      const MeshReport report = meshed(fit(made, {.condition = false}).function, made, 80);
+      EXPECT_CLOSED_SURFACE(report, 1, 0) << options.shrink << ' ' << options.tilt << ' ' << options.spread
+                                          << ' ' << options.gap << ' ' << options.height;
+    }
+#if !defined(__SANITIZE_ADDRESS__)
+  const Constraints<3> five = branching_prisms({.generations = 5}).constraints;
+  const MeshReport report = meshed(fit(five, {.condition = false}).function, five, 150);
+  EXPECT_CLOSED_SURFACE(report, 1, 0);
+#endif
+}
+
 TEST(Surfaces, ABladeThinnerThanTheOffset) {
   // 0.015 of its length thick in the middle, thinner toward the rim.
   const TriangleMesh mesh = ellipsoid({0.5, 0.3, 0.0075}, 26, 20);
