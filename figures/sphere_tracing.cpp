@@ -41,7 +41,11 @@ FieldPointer<3> boxed(const Fit<3>& fitted) {
   return share(Boxed<3>(function, grown(bounding_box_of<3>(mesh.vertices), 0.02)));
 }
 
-std::vector<bool> hits(const Scene& scene, const PinholeCamera& camera, int n) {
+struct Hits {
+  std::vector<bool> hit;  // n rows of n rays
+  double unproven = 0;    // no two crossings farther apart than this were passed over
+};
+Hits hits(const Scene& scene, const PinholeCamera& camera, int n) {
   std::vector<Ray> rays;
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x) rays.push_back(ray_through(camera, (x + 0.5) / n, (y + 0.5) / n, 1));
@@ -52,9 +56,12 @@ std::vector<bool> hits(const Scene& scene, const PinholeCamera& camera, int n) {
     scene.solids[0].trace(std::span(rays).subspan(first, count), HowMany::first,
                           std::span(found).subspan(first, count));
   });
-  std::vector<bool> hit(rays.size());
-  for (std::size_t i = 0; i < rays.size(); ++i) hit[i] = !found[i].crossings.empty();
-  return hit;
+  Hits result{std::vector<bool>(rays.size())};
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    result.hit[i] = !found[i].crossings.empty();
+    result.unproven = std::max(result.unproven, found[i].unproven);
+  }
+  return result;
 }
 
 }  // namespace
@@ -108,7 +115,9 @@ Figure sphere_tracing(const FigureContext& context) {
   // Nine rays a pixel: those that slip through are few.
   constexpr int fine = 3;
   const int rays = fine * pixels;
-  const std::vector<bool> truth = hits(by_bounds, close, rays), sampled = hits(by_samples, close, rays);
+  const Hits proof = hits(by_bounds, close, rays);
+  const std::vector<bool>&truth = proof.hit, sampled = hits(by_samples, close, rays).hit;
+  const double unproven = proof.unproven / blade->bounding_box().sizes().norm();
   Index seen = 0, missed = 0, invented = 0;
   for (int y = 0; y < rays; ++y)
     for (int x = 0; x < rays; ++x) {
@@ -126,6 +135,7 @@ Figure sphere_tracing(const FigureContext& context) {
   panel.facts.update(fit_facts(fitted.report));
   panel.facts["rays_that_meet_the_blade"] = seen;
   panel.facts["of_them_missed_by_samples"] = missed;
+  panel.facts["longest_unproven_chord"] = unproven;
   panel.facts["camera"] = to_flags(close);
   figure.panels.push_back(std::move(panel));
 
@@ -134,6 +144,8 @@ Figure sphere_tracing(const FigureContext& context) {
   figure.checks.push_back(at_least("blade: of them, missed by samples", static_cast<double>(missed), 1));
   figure.checks.push_back(
       equal("blade: rays that meet it by samples and not by proof", static_cast<double>(invented), 0));
+  figure.checks.push_back(at_most("blade: longest chord that a ray may have passed over, of the diagonal",
+                                  unproven, 1.000001 * RigorousOptions().resolution));
   const auto per_ray = [&](std::size_t i) {
     return figure.panels[i].facts["evaluations_per_ray"].get<double>();
   };

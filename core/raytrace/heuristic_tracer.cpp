@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/random.h"
 #include "core/raytrace/walk.h"
@@ -38,6 +39,7 @@ struct Walker {
     if (!began) {
       began = true;
       found->inside_at_begin = is_inside(value);
+      found->unproven = std::numeric_limits<double>::infinity();
       arrive_at(ray.begin, value);
     } else if (polishing) {
       root.take(asked, value);

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/raytrace/walk.h"
 
 namespace seesaw {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // f has been proven to keep its sign up to `a`; `leaf` is the box that the ray is in there.
 struct Walker {
@@ -27,7 +30,8 @@ struct Walker {
   bool doubtful = false;      // the last try went too far
   double changed_at = 0;      // the sign is known to differ here ...
   bool change_known = false;  // ... if it is known
-  double resolution = 0;      // `finest`, or more for a ray that keeps grazing, or where there is no bound
+  double resolution = 0;      // `finest`, or more for a ray that has run out of patience, or without a bound
+  int patience = 0;           // how many more steps may be as short as `finest` without proof
   double asked = 0;
   Asking asking = Asking::nothing;
   RootSearch root = {};
@@ -61,7 +65,7 @@ struct Walker {
     if (!has_leaf) {
       const BoundTree::Leaf leaf = tree->leaf_at(ray.at(a + 4 * small), ray.direction);
       Ray rest = ray;
-      rest.begin = -std::numeric_limits<double>::infinity();
+      rest.begin = -infinity;
       leaf_end = std::max(within(rest, leaf.box).end, a + small);
       if (leaf.empty) {
         note_side(is_inside(leaf.middle));
@@ -108,6 +112,7 @@ struct Walker {
     } else if (is_inside(value) == inside) {
       take_step(value);
     } else if (asked - a <= resolution * (1 + 1e-6)) {
+      note_unproven(asked - a);  // one crossing, or three
       root.start(a, fa, asked, value);
       a = asked, fa = value;  // where the walk goes on
       look_for_root();
@@ -120,6 +125,10 @@ struct Walker {
     }
   }
 
+  void note_unproven(double length) {
+    found->unproven = std::max(found->unproven, std::isfinite(bound) ? length : infinity);
+  }
+
   void take_step(double value) {
     const double length = asked - a;
     const bool proven =
@@ -129,11 +138,16 @@ struct Walker {
       return;
     }
     slope = (std::abs(value) - std::abs(fa)) / length;
-    // A ray that keeps grazing takes longer steps, but none beyond half the way to where |f| is heading for
-    // zero.
+    if (!proven) note_unproven(length);
     if (std::isfinite(bound)) {
-      const double heading = slope < 0 ? 0.5 * std::abs(value) / -slope : ray.end - asked;
-      resolution = proven ? finest : std::clamp(heading, finest, 1.1 * resolution);
+      if (proven) {
+        resolution = finest;
+      } else if (patience > 0) {
+        --patience;
+      } else {  // longer, but not beyond half the way to where |f| is heading for zero
+        const double heading = slope < 0 ? 0.5 * std::abs(value) / -slope : ray.end - asked;
+        resolution = std::clamp(heading, finest, 1.1 * resolution);
+      }
     }
     slope_known = true;
     doubtful = false;
@@ -161,10 +175,12 @@ struct Walker {
 RigorousTracer::RigorousTracer(std::shared_ptr<const Field<3>> field, const RigorousOptions& options)
     : SurfaceTracer(field) {
   SEESAW_CHECK_LT(0.0, options.resolution);
+  SEESAW_CHECK_LE(0, options.patience);
   if (box().isEmpty()) return;
   tree_ = std::make_unique<BoundTree>(field, box(), options.tree);
   resolution_ = options.resolution * box().sizes().norm();
   blind_step_ = options.blind_step * box().sizes().norm();
+  patience_ = options.patience;
   small_ = 1e-13 * box().sizes().norm();
 }
 
@@ -175,6 +191,7 @@ void RigorousTracer::trace_in_box(std::span<const Task> tasks) const {
     walkers.push_back(
         {task.ray, task.one_is_enough, task.found, tree_.get(), resolution_, blind_step_, small_});
     walkers.back().a = task.ray.begin;
+    walkers.back().patience = patience_;
   }
   walk_together(field(), walkers);
 }

@@ -14,11 +14,12 @@
 //
 // What is promised. Every crossing is found, and every pair of crossings that are at least `resolution`
 // apart; where f changes sign twice within `resolution`, a chord that short may be passed over. What remains
-// within a bracket of one resolution is polished to rounding. A ray that runs along the surface so closely
-// that |f| < L * resolution for many steps in a row is let go with a resolution that grows by a tenth each
-// such step, though never beyond half the way to where |f| is heading for zero: it would hardly end
-// otherwise, and may pass over a dip that nothing announces. All this is as rigorous as the field's
-// gradient_bound; where that is infinite nothing is promised, and steps are `blind_step` long.
+// within a bracket of one resolution is polished to rounding. A ray that lies in the surface would hardly end
+// so: after `patience` steps that short without proof, a hundredth of the diagonal at
+// |f| < L * resolution, they grow by a tenth each, though never beyond half the way to where |f| is heading
+// for zero. RayCrossings::unproven says the longest chord that may have been passed over, so that a ray for
+// which the promise was not kept is known. All this is as rigorous as the field's gradient_bound; where that
+// is infinite nothing is promised, and steps are `blind_step` long.
 //
 // Before it: surface_tracer.h, bound_tree.h. After it: solid.h.
 #pragma once
@@ -33,6 +34,8 @@ struct RigorousOptions {
   // Relative to the diagonal of the field's bounding box:
   double resolution = 1e-6;
   double blind_step = 1e-3;  ///< where the field has no bound
+
+  int patience = 10000;  ///< steps of one ray that may be that short without proof
 };
 
 class RigorousTracer final : public SurfaceTracer {
@@ -47,6 +50,7 @@ class RigorousTracer final : public SurfaceTracer {
 
   std::unique_ptr<BoundTree> tree_;
   double resolution_ = 0, blind_step_ = 0, small_ = 0;
+  int patience_ = 0;
 };
 
 }  // namespace seesaw

@@ -90,6 +90,7 @@ void Solid::trace(std::span<const Ray> rays, HowMany how_many, std::span<SolidCr
       if (step.kind == Step::push) {
         const RayCrossings& from = leaf_crossings[static_cast<std::size_t>(step.leaf)][r];
         mine.evaluations += from.evaluations;
+        mine.unproven = std::max(mine.unproven, from.unproven);
         Stretches stretches{from.inside_at_begin, {}};
         bool in = from.inside_at_begin;
         for (const Crossing& crossing : from.crossings)

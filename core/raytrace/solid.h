@@ -34,6 +34,7 @@ struct SolidCrossings {
   bool inside_at_begin = false;
   std::vector<SolidCrossing> crossings = {};  ///< in order of t
   Index evaluations = 0;                      ///< of all leaves' fields
+  double unproven = 0;                        ///< the most of all leaves, see RayCrossings
 };
 
 class Solid {

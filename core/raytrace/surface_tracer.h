@@ -30,6 +30,8 @@ struct RayCrossings {
   bool inside_at_begin = false;
   std::vector<Crossing> crossings = {};
   Index evaluations = 0;  ///< of the field, on this ray
+  /// No two crossings farther apart than this were passed over: proven. Infinite where nothing is.
+  double unproven = 0;
 };
 
 enum class HowMany { first, all };

@@ -152,6 +152,8 @@ TEST(Figures, ProofStopsEveryRayOfTheBladesRimThatSamplesStop) {
     ++stopped;
     EXPECT_FALSE(by_proof[i].crossings.empty()) << "ray " << i;
   }
+  const double promised = RigorousOptions().resolution * field->bounding_box().sizes().norm();
+  for (const RayCrossings& ray : by_proof) EXPECT_LE(ray.unproven, promised * (1 + 1e-9));
   EXPECT_GT(stopped, 100);
 }
 

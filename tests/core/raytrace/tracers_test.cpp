@@ -65,6 +65,7 @@ TEST(Tracers, TheRigorousOneMissesNothingInInterpolants) {
       parallel_blocks(static_cast<Index>(rays.size()), 100, [&](Index begin, Index end) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
           const std::vector<double> truth = crossings_by_samples(*field, rays[i], 300);
+          EXPECT_LE(by_bounds[i].unproven, near * (1 + 1e-9));  // the promise was kept for every ray
           counts[i] = {static_cast<Index>(truth.size()), missed(truth, by_bounds[i], near),
                        missed(truth, by_samples[i], near)};
         }
@@ -239,9 +240,13 @@ TEST(Tracers, ARayWithinTheSurfaceEnds) {
   const std::vector<RayCrossings> found =
       traced(tracer, {{.origin = {-5, 0.1, 0}, .direction = {1, 0, 0}},
                       {.origin = {-5, 0.1, 1e-9}, .direction = {1, 0, 0}}});
-  EXPECT_LT(found[0].evaluations, 5000);
-  EXPECT_LT(found[1].evaluations, 5000);
+  EXPECT_LT(found[0].evaluations, 12000);
+  EXPECT_LT(found[1].evaluations, 12000);
   EXPECT_TRUE(found[1].crossings.empty());
+  // Its patience has run out, and it says so.
+  const double promised = RigorousOptions().resolution * tracer.box().sizes().norm();
+  EXPECT_GT(found[0].unproven, 10 * promised);
+  EXPECT_GT(found[1].unproven, 10 * promised);
 }
 
 }  // namespace
