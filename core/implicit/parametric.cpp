@@ -1,0 +1,45 @@
+#include "core/implicit/parametric.h"
+
+namespace seesaw {
+
+template <int Dim>
+void ParametricField<Dim>::start(Index count) {
+  SEESAW_CHECK_LE(0, count);
+  frozen_.assign(static_cast<std::size_t>(count), false);
+  free_.clear();
+  for (Index i = 0; i < count; ++i) free_.push_back(i);
+}
+
+template <int Dim>
+void ParametricField<Dim>::freeze(Index index, bool frozen) {
+  SEESAW_CHECK_LE(0, index);
+  SEESAW_CHECK_LT(index, static_cast<Index>(frozen_.size()));
+  frozen_[static_cast<std::size_t>(index)] = frozen;
+  free_.clear();
+  for (std::size_t i = 0; i < frozen_.size(); ++i)
+    if (!frozen_[i]) free_.push_back(static_cast<Index>(i));
+}
+
+template <int Dim>
+Values ParametricField<Dim>::q() const {
+  return all()(free_);
+}
+
+template <int Dim>
+void ParametricField<Dim>::set_q(const Eigen::Ref<const Values>& q) {
+  SEESAW_CHECK_EQ(q.size(), parameters());
+  SEESAW_CHECK_EQ(q.allFinite(), true);
+  Values values = all();
+  values(free_) = q;
+  set_all(values);
+}
+
+template <int Dim>
+Eigen::MatrixXd ParametricField<Dim>::q_gradients(const PointsRef<Dim>& points) const {
+  return all_gradients(points)(free_, Eigen::all);
+}
+
+template class ParametricField<2>;
+template class ParametricField<3>;
+
+}  // namespace seesaw
