@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/parallel.h"
 #include "core/polygonize/cube_table.h"
 #include "core/polygonize/edge_roots.h"
 
@@ -62,7 +63,7 @@ LatticeMesh assemble(const Lattice& lattice, const CrossedCubes& found, Sampler&
   mesh.inside_values.resize(n);
   mesh.outside_values.resize(n);
   mesh.on_range.resize(edges.size());
-  for (Index v = 0; v < n; ++v) {
+  const auto fill = [&](Index v) {
     const std::size_t in = static_cast<std::size_t>(edges[static_cast<std::size_t>(v)].inside);
     const std::size_t out = static_cast<std::size_t>(edges[static_cast<std::size_t>(v)].outside);
     const Corner a = corner_of(found.corners[in]), b = corner_of(found.corners[out]);
@@ -72,7 +73,10 @@ LatticeMesh assemble(const Lattice& lattice, const CrossedCubes& found, Sampler&
     mesh.outside_values[v] = found.values[out];
     // A vertex on an exact zero stands on the corner itself, and on all faces that the corner is on.
     mesh.on_range[static_cast<std::size_t>(v)] = planes_of(lattice, a, mesh.is_exact_zero(v) ? a : b);
-  }
+  };
+  parallel_blocks(n, 2048, [&](Index begin, Index end) {
+    for (Index v = begin; v < end; ++v) fill(v);
+  });
   mesh.positions =
       find_edge_roots(sampler, {mesh.inside, mesh.outside, mesh.inside_values, mesh.outside_values},
                       tolerance)

@@ -24,11 +24,6 @@ struct Collapse {
   }
 };
 
-// The worst quality of the triangles around, before and after.
-struct Worst {
-  double before = 1, after = 1;
-};
-
 class Collapser {
  public:
   explicit Collapser(WorkingMesh& work) : work_(work), net_(work.net) {}
@@ -43,8 +38,9 @@ class Collapser {
  private:
   std::optional<Collapse> look_into(int edge, int h) const;
   bool may_become(int v, int other) const;
-  bool look_around(int v, const Point<3>& to, int h, Worst& worst) const;
-  std::optional<Worst> worst_around(int h, const Point<3>& to) const;
+  double worst_before(int h) const;
+  bool stays_good(int v, const Point<3>& to, int h, double least, double& worst) const;
+  std::optional<double> worst_after(int h, const Point<3>& to, double least) const;
 
   WorkingMesh& work_;
   HalfEdges& net_;
@@ -56,40 +52,47 @@ bool Collapser::may_become(int v, int other) const {
   return (planes[static_cast<std::size_t>(v)] & ~planes[static_cast<std::size_t>(other)]) == 0;
 }
 
-// The triangles around v, but those at h, when v goes `to`; false if one turns over.
-bool Collapser::look_around(int v, const Point<3>& to, int h, Worst& worst) const {
+// The worst quality of the triangles around the edge of h, as they are.
+double Collapser::worst_before(int h) const {
+  double worst = 1;
+  for (const int v : {net_.origin(h), net_.target(h)})
+    net_.for_each_leaving(v, [&](int g) {
+      worst = std::min(worst, quality_of(work_.at(v), work_.at(net_.target(g)),
+                                         work_.at(net_.origin(HalfEdges::previous(g)))));
+    });
+  return worst;
+}
+
+// Whether no triangle around v, but those at h, turns over or becomes worse than `least` when v goes `to`.
+// `worst` becomes the quality of the worst, if that is less.
+bool Collapser::stays_good(int v, const Point<3>& to, int h, double least, double& worst) const {
   const int dying = h / 3, dying_too = net_.twin(h) >= 0 ? net_.twin(h) / 3 : -1;
   const Point<3> from = work_.at(v);
   return !net_.any_leaving(v, [&](int g) {
     if (g / 3 == dying || g / 3 == dying_too) return false;
     const Point<3> b = work_.at(net_.target(g)), c = work_.at(net_.origin(HalfEdges::previous(g)));
     const Point<3> before = normal_of(from, b, c), after = normal_of(to, b, c);
-    worst.before = std::min(worst.before, quality_of(from, b, c, before));
-    worst.after = std::min(worst.after, quality_of(to, b, c, after));
-    return !before.isZero(0) && !within(before, after, largest_turn);
+    worst = std::min(worst, quality_of(to, b, c, after));
+    return worst < least || (!before.isZero(0) && !within(before, after, largest_turn));
   });
 }
 
-// When the edge of h collapses and its ends go `to`; nothing if a triangle turns over.
-std::optional<Worst> Collapser::worst_around(int h, const Point<3>& to) const {
-  const int a = net_.origin(h), b = net_.target(h);
-  Worst worst;
-  if (!look_around(a, to, h, worst) || !look_around(b, to, h, worst)) return {};
-  for (const int dying : {h, net_.twin(h)})
-    if (dying >= 0)
-      worst.before = std::min(worst.before, quality_of(work_.at(a), work_.at(b),
-                                                       work_.at(net_.origin(HalfEdges::previous(dying)))));
+// The worst quality when the edge of h collapses and its ends go `to`; nothing if a triangle turns over or
+// becomes worse than `least`.
+std::optional<double> Collapser::worst_after(int h, const Point<3>& to, double least) const {
+  double worst = 1;
+  for (const int v : {net_.origin(h), net_.target(h)})
+    if (!stays_good(v, to, h, least, worst)) return {};
   return worst;
 }
 
 std::optional<Collapse> Collapser::look_into(int edge, int h) const {
   const int a = net_.origin(h), b = net_.target(h);
   const bool swap = net_.twin(h) < 0 && !may_become(b, a);  // then b is who stays, under the name of a
-  if (!(swap ? may_become(a, b) : may_become(b, a)) || !net_.can_collapse(h)) return {};
+  if (!(swap ? may_become(a, b) : may_become(b, a))) return {};
   const Point<3> p = work_.at(a), q = work_.at(b);
   const Point<3> to = swap ? q : work_.is_fixed(a) ? p : Point<3>(0.5 * (p + q));
-  const std::optional<Worst> worst = worst_around(h, to);
-  if (!worst || worst->after < std::min(worst->before, good_for_short)) return {};
+  if (!worst_after(h, to, std::min(worst_before(h), good_for_short)) || !net_.can_collapse(h)) return {};
   return Collapse{squared_length(h), edge, h, swap, to};
 }
 
@@ -107,7 +110,8 @@ std::optional<Collapse> Collapser::look_at_short(int h) const {
 // The best way: into either end, or into the middle.
 std::optional<Collapse> Collapser::look_at_needle(int h) const {
   std::optional<Collapse> best;
-  double best_quality = 0;
+  const double before = worst_before(h);
+  double least = gain_for_needle * before;
   for (const int g : {h, net_.twin(h)}) {
     if (g < 0) continue;
     const int a = net_.origin(g), b = net_.target(g);
@@ -115,10 +119,10 @@ std::optional<Collapse> Collapser::look_at_needle(int h) const {
     for (const double way : {0.0, 0.5}) {
       if (way > 0 && work_.is_fixed(a)) continue;
       const Point<3> to = work_.at(a) + way * (work_.at(b) - work_.at(a));
-      const std::optional<Worst> worst = worst_around(g, to);
-      if (!worst || worst->after <= std::max(best_quality, gain_for_needle * worst->before)) continue;
-      best_quality = worst->after;
-      best = Collapse{worst->before, h, g, false, to};
+      const std::optional<double> worst = worst_after(g, to, least);
+      if (!worst || *worst <= least) continue;
+      least = *worst;
+      best = Collapse{before, h, g, false, to};
     }
   }
   return best;
@@ -140,26 +144,30 @@ void Collapser::make(const Collapse& move, VertexSet& changed) {
 
 void collapse_short_edges(WorkingMesh& work, double length) {
   Collapser collapser(work);
-  VertexSet changed(work.mesh.vertices(), true);
-  const auto look = [&](int h) {
-    return collapser.squared_length(h) <= length * length ? collapser.look_at_short(h) : std::nullopt;
-  };
-  const auto make = [&](const Collapse& move) { collapser.make(move, changed); };
   // Another look where much has changed; for edges of no length, where anything has.
   const Index few = length == 0 ? 0 : work.net.size() / 3 / 50;
-  while (make_moves<Collapse>(work.net, changed, look, make) > few) {
+  Index made = few + 1;
+  for (VertexSet changed(work.net.vertices(), true); made > few;) {
+    made = 0;
+    changed = make_moves<Collapse>(
+        work.net,
+        [&](int h) {
+          const bool asked = collapser.squared_length(h) <= length * length && is_near(changed, work.net, h);
+          return asked ? collapser.look_at_short(h) : std::nullopt;
+        },
+        [&](const Collapse& move, VertexSet& now) {
+          collapser.make(move, now);
+          ++made;
+        });
   }
 }
 
-VertexSet collapse_needles(WorkingMesh& work) {
+void collapse_needles(WorkingMesh& work) {
   Collapser collapser(work);
   const std::vector<char> needles = work.faces_below(good_enough);
-  VertexSet changed(work.mesh.vertices(), true);
   make_moves<Collapse>(
-      work.net, changed,
-      [&](int h) { return work.is_at(needles, h) ? collapser.look_at_needle(h) : std::nullopt; },
-      [&](const Collapse& move) { collapser.make(move, changed); });
-  return changed;
+      work.net, [&](int h) { return work.is_at(needles, h) ? collapser.look_at_needle(h) : std::nullopt; },
+      [&](const Collapse& move, VertexSet& changed) { collapser.make(move, changed); });
 }
 
 }  // namespace seesaw

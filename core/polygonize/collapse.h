@@ -16,8 +16,7 @@ namespace seesaw {
 /// Collapses edges of at most `length`, scene units: into the middle, or into the end that may not move.
 void collapse_short_edges(WorkingMesh& work, double length);
 
-/// Collapses edges of the needles left, of any length, where that makes the worst angle around wider. Returns
-/// the vertices whose faces are no longer what they were.
-VertexSet collapse_needles(WorkingMesh& work);
+/// Collapses edges of the needles left, of any length, where that makes the worst angle around wider.
+void collapse_needles(WorkingMesh& work);
 
 }  // namespace seesaw

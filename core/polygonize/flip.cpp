@@ -42,11 +42,11 @@ std::optional<Flip> look_at(const WorkingMesh& work, int h) {
 
 }  // namespace
 
-void flip_edges(WorkingMesh& work, VertexSet& changed) {
+void flip_edges(WorkingMesh& work) {
   const std::vector<char> needy = work.faces_below(good_as_it_is);
   make_moves<Flip>(
-      work.net, changed, [&](int h) { return work.is_at(needy, h) ? look_at(work, h) : std::nullopt; },
-      [&](const Flip& move) {
+      work.net, [&](int h) { return work.is_at(needy, h) ? look_at(work, h) : std::nullopt; },
+      [&](const Flip& move, VertexSet& changed) {
         const int h = move.edge, t = work.net.twin(h);
         work.net.flip(h);
         for (const int g : {h, t}) {

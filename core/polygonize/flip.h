@@ -7,8 +7,8 @@
 
 namespace seesaw {
 
-/// Flips edges near `changed`, those of the worst triangles first, where the two triangles are not good as
-/// they are and nearly in one plane. `changed` becomes the corners of the triangles that are new.
-void flip_edges(WorkingMesh& work, VertexSet& changed);
+/// Flips edges, those of the worst triangles first, where the two triangles are nearly in one plane and not
+/// both good as they are. One pass: what has become possible by the flips of a pass is left to the next.
+void flip_edges(WorkingMesh& work);
 
 }  // namespace seesaw

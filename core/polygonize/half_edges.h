@@ -22,6 +22,8 @@ class HalfEdges {
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
   int size() const { return static_cast<int>(origin_.size()); }
+  /// Also those without faces.
+  Index vertices() const { return static_cast<Index>(leaving_.size()); }
   /// False for the half-edges of faces that have collapsed.
   bool is_alive(int h) const { return origin_[at(h)] >= 0; }
   int origin(int h) const { return origin_[at(h)]; }

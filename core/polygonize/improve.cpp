@@ -25,14 +25,13 @@ void improve(LatticeMesh& mesh, Sampler& sampler, double cell) {
   WorkingMesh work(mesh, cell);
   collapse_short_edges(work, 0);
   collapse_short_edges(work, short_edge * cell);
-  VertexSet changed(mesh.vertices(), true);
   for (int round = 0; round < rounds; ++round) {
-    flip_edges(work, changed);
-    slide_vertices(work, sampler, changed);
+    flip_edges(work);
+    slide_vertices(work, sampler);
   }
-  flip_edges(work, changed);
-  changed = collapse_needles(work);
-  flip_edges(work, changed);
+  flip_edges(work);
+  collapse_needles(work);
+  flip_edges(work);
   work.finish();
 }
 

@@ -24,16 +24,15 @@ inline bool is_near(const VertexSet& set, const HalfEdges& net, int h) {
          (t >= 0 && set.has(net.origin(HalfEdges::previous(t))));
 }
 
-/// The moves that `look(h)`, an optional<Move>, finds for the edges near `changed`, in the order of their
-/// half-edges h, one for each edge. `look` runs in many threads.
+/// The moves that `look(h)`, an optional<Move>, finds for the edges, in the order of their half-edges h, one
+/// for each edge. `look` runs in many threads.
 template <class Move, class Look>
-std::vector<Move> find_moves(const HalfEdges& net, const VertexSet& changed, const Look& look) {
+std::vector<Move> find_moves(const HalfEdges& net, const Look& look) {
   constexpr Index block = 3 * 1024;
   std::vector<std::vector<Move>> found(static_cast<std::size_t>((net.size() + block - 1) / block));
   parallel_blocks(net.size(), block, [&](Index begin, Index end) {
     for (int h = static_cast<int>(begin); h < static_cast<int>(end); ++h) {
-      const bool is_edge = net.is_alive(h) && (net.twin(h) < 0 || net.twin(h) > h);
-      if (!is_edge || !is_near(changed, net, h)) continue;
+      if (!net.is_alive(h) || (net.twin(h) >= 0 && net.twin(h) < h)) continue;
       if (const std::optional<Move> move = look(h))
         found[static_cast<std::size_t>(h / block)].push_back(*move);
     }
@@ -43,24 +42,21 @@ std::vector<Move> find_moves(const HalfEdges& net, const VertexSet& changed, con
   return moves;
 }
 
-/// Looks at the edges near `changed`, and makes the moves found; returns how many. A Move knows its half-edge
-/// `edge` and which of two is more urgent, by <. `make(move)` makes it and adds to `changed` the vertices
-/// whose faces are no longer what they were: those of this call are all that `changed` has in the end. `look`
-/// may read nothing but the faces that share a vertex with those at the edge.
+/// Looks at all edges and makes the moves found; returns the vertices whose faces are no longer what they
+/// were. A Move knows its half-edge `edge` and which of two is more urgent, by <. `make(move, changed)` makes
+/// it and adds those vertices. `look` may read no faces but those that share a vertex with the two at the
+/// edge.
 template <class Move, class Look, class Make>
-Index make_moves(const HalfEdges& net, VertexSet& changed, const Look& look, const Make& make) {
-  std::vector<Move> moves = find_moves<Move>(net, changed, look);
+VertexSet make_moves(const HalfEdges& net, const Look& look, const Make& make) {
+  std::vector<Move> moves = find_moves<Move>(net, look);
   std::sort(moves.begin(), moves.end());
-  changed.clear();
-  Index made = 0;
+  VertexSet changed(net.vertices(), false);
   for (const Move& found : moves) {
     if (!net.is_alive(found.edge)) continue;
     const std::optional<Move> move = is_near(changed, net, found.edge) ? look(found.edge) : found;
-    if (!move) continue;
-    make(*move);
-    ++made;
+    if (move) make(*move, changed);
   }
-  return made;
+  return changed;
 }
 
 }  // namespace seesaw

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/polygonize/attempt.h"
 #include "core/polygonize/edge_roots.h"
@@ -46,6 +47,19 @@ Index settle_on_edges(LatticeMesh& mesh, Projected& polished, Sampler& sampler, 
   return off;
 }
 
+// Fills in the normals that are zero.
+void take_from_triangles(const LatticeMesh& mesh, Points<3>& normals) {
+  Points<3> by_area = Points<3>::Zero(3, mesh.vertices());
+  for (Index f = 0; f < mesh.faces.cols(); ++f) {
+    const Point<3> normal =
+        normal_of(mesh.positions.col(mesh.faces(0, f)), mesh.positions.col(mesh.faces(1, f)),
+                  mesh.positions.col(mesh.faces(2, f)));
+    for (int k = 0; k < 3; ++k) by_area.col(mesh.faces(k, f)) += normal;
+  }
+  for (Index v = 0; v < normals.cols(); ++v)
+    if (normals.col(v).isZero(0)) normals.col(v) = by_area.col(v);
+}
+
 // Onto f = 0, with normals: outward is -grad f, and where there is none, what the triangles say.
 Points<3> polish(LatticeMesh& mesh, Sampler& sampler, double cell, double tolerance, Polygonization& result) {
   Projected polished =
@@ -53,21 +67,13 @@ Points<3> polish(LatticeMesh& mesh, Sampler& sampler, double cell, double tolera
   result.unpolished += settle_on_edges(mesh, polished, sampler, tolerance);
   mesh.positions = polished.positions;
   Points<3> normals = -polished.gradients;
-  Points<3> by_area = Points<3>::Zero(3, mesh.vertices());
-  for (Index f = 0; f < mesh.faces.cols(); ++f) {
-    const Point<3> a = mesh.positions.col(mesh.faces(0, f));
-    const Point<3> normal =
-        (mesh.positions.col(mesh.faces(1, f)) - a).cross(mesh.positions.col(mesh.faces(2, f)) - a);
-    for (int k = 0; k < 3; ++k) by_area.col(mesh.faces(k, f)) += normal;
-  }
-  for (Index v = 0; v < normals.cols(); ++v) {
-    if (normals.col(v).isZero(0)) normals.col(v) = by_area.col(v);
-    const double length = normals.col(v).stableNorm();
-    if (length > 0)
-      normals.col(v) /= length;
-    else
-      normals.col(v) = Point<3>::UnitZ();
-  }
+  if ((normals.array() == 0).colwise().all().any()) take_from_triangles(mesh, normals);
+  parallel_blocks(normals.cols(), 4096, [&](Index begin, Index end) {
+    for (Index v = begin; v < end; ++v) {
+      const double length = normals.col(v).stableNorm();
+      normals.col(v) = length > 0 ? Point<3>(normals.col(v) / length) : Point<3>(Point<3>::UnitZ());
+    }
+  });
   return normals;
 }
 

@@ -18,7 +18,7 @@ namespace seesaw {
 struct Projected {
   Points<3> positions;     ///< 3 x N; those that failed stand where they started
   Points<3> gradients;     ///< 3 x N: grad f at the positions; zero where there is none
-  std::vector<bool> good;  ///< |f| / |g| is within the tolerance, or as near as rounding lets it come
+  std::vector<char> good;  ///< 1 where |f| / |g| is within the tolerance, or as near as rounding lets it come
 };
 
 struct ProjectOptions {

@@ -20,11 +20,13 @@ std::vector<int> find_movable(const WorkingMesh& work) {
   const std::vector<char> needy = work.faces_below(good_as_it_is);
   VertexSet asked(work.mesh.vertices(), false);
   std::vector<int> movable;
-  for (int h = 0; h < work.net.size(); ++h) {
-    if (needy[static_cast<std::size_t>(h / 3)] == 0) continue;
-    const int v = work.net.origin(h);
-    if (!asked.has(v) && !work.is_fixed(v)) movable.push_back(v);
-    asked.add(v);
+  for (int f = 0; f < work.net.size() / 3; ++f) {
+    if (needy[static_cast<std::size_t>(f)] == 0) continue;
+    for (int h = 3 * f; h < 3 * f + 3; ++h) {
+      const int v = work.net.origin(h);
+      if (!asked.has(v) && !work.is_fixed(v)) movable.push_back(v);
+      asked.add(v);
+    }
   }
   return movable;
 }
@@ -88,7 +90,7 @@ void take_back(WorkingMesh& work, const Points<3>& before, std::vector<int> aske
 
 }  // namespace
 
-void slide_vertices(WorkingMesh& work, Sampler& sampler, VertexSet& changed) {
+void slide_vertices(WorkingMesh& work, Sampler& sampler) {
   const std::vector<int> movable = find_movable(work);
   Points<3> targets(3, static_cast<Index>(movable.size()));
   parallel_blocks(targets.cols(), block, [&](Index begin, Index end) {
@@ -103,8 +105,6 @@ void slide_vertices(WorkingMesh& work, Sampler& sampler, VertexSet& changed) {
     sliding.add(movable[i]);
   }
   take_back(work, before, movable, sliding);
-  for (const int v : movable)
-    if (sliding.has(v)) changed.add(v);
 }
 
 }  // namespace seesaw

@@ -14,7 +14,7 @@
 namespace seesaw {
 
 /// Slides the corners of triangles that are not good as they are, but those on the boundary and on the faces
-/// of the lattice's range; adds those that have moved to `changed`.
-void slide_vertices(WorkingMesh& work, Sampler& sampler, VertexSet& changed);
+/// of the lattice's range.
+void slide_vertices(WorkingMesh& work, Sampler& sampler);
 
 }  // namespace seesaw

@@ -18,7 +18,6 @@ class VertexSet {
   bool has(int v) const { return flags_[static_cast<std::size_t>(v)] != 0; }
   void add(int v) { flags_[static_cast<std::size_t>(v)] = 1; }
   void remove(int v) { flags_[static_cast<std::size_t>(v)] = 0; }
-  void clear() { flags_.assign(flags_.size(), 0); }
 
  private:
   std::vector<char> flags_;
