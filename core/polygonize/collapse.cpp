@@ -38,7 +38,10 @@ class Collapser {
  private:
   std::optional<Collapse> look_into(int edge, int h) const;
   bool may_become(int v, int other) const;
-  double worst_before(int h) const;
+  // The worst quality of the triangles around the edge of h, as they are.
+  double worst_before(int h) const {
+    return std::min(work_.worst_around(net_.origin(h)), work_.worst_around(net_.target(h)));
+  }
   bool stays_good(int v, const Point<3>& to, int h, double least, double& worst) const;
   std::optional<double> worst_after(int h, const Point<3>& to, double least) const;
 
@@ -50,17 +53,6 @@ class Collapser {
 bool Collapser::may_become(int v, int other) const {
   const std::vector<std::uint8_t>& planes = work_.mesh.on_range;
   return (planes[static_cast<std::size_t>(v)] & ~planes[static_cast<std::size_t>(other)]) == 0;
-}
-
-// The worst quality of the triangles around the edge of h, as they are.
-double Collapser::worst_before(int h) const {
-  double worst = 1;
-  for (const int v : {net_.origin(h), net_.target(h)})
-    net_.for_each_leaving(v, [&](int g) {
-      worst = std::min(worst, quality_of(work_.at(v), work_.at(net_.target(g)),
-                                         work_.at(net_.origin(HalfEdges::previous(g)))));
-    });
-  return worst;
 }
 
 // Whether no triangle around v, but those at h, turns over or becomes worse than `least` when v goes `to`.
@@ -129,12 +121,15 @@ std::optional<Collapse> Collapser::look_at_needle(int h) const {
 }
 
 void Collapser::make(const Collapse& move, VertexSet& changed) {
-  const int a = net_.origin(move.h), b = net_.target(move.h);
+  const int a = net_.origin(move.h), b = net_.target(move.h), t = net_.twin(move.h);
   net_.collapse(move.h);
   if (move.swap) work_.mesh.copy_vertex(b, a);
   work_.mesh.positions.col(a) = move.to;
+  work_.renew(move.h / 3);
+  if (t >= 0) work_.renew(t / 3);
   changed.add(a);
   net_.for_each_leaving(a, [&](int h) {
+    work_.renew(h / 3);
     changed.add(net_.target(h));
     changed.add(net_.origin(HalfEdges::previous(h)));
   });
@@ -164,9 +159,9 @@ void collapse_short_edges(WorkingMesh& work, double length) {
 
 void collapse_needles(WorkingMesh& work) {
   Collapser collapser(work);
-  const std::vector<char> needles = work.faces_below(good_enough);
   make_moves<Collapse>(
-      work.net, [&](int h) { return work.is_at(needles, h) ? collapser.look_at_needle(h) : std::nullopt; },
+      work.net,
+      [&](int h) { return work.worse_at(h) < good_enough ? collapser.look_at_needle(h) : std::nullopt; },
       [&](const Collapse& move, VertexSet& changed) { collapser.make(move, changed); });
 }
 

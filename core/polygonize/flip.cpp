@@ -30,7 +30,7 @@ std::optional<Flip> look_at(const WorkingMesh& work, int h) {
                  d = work.at(net.origin(HalfEdges::previous(t)));
   const Point<3> n1 = normal_of(a, b, c), n2 = normal_of(b, a, d);
   if (!within(n1, n2, largest_fold)) return {};
-  const double before = std::min(quality_of(a, b, c, n1), quality_of(b, a, d, n2));
+  const double before = work.worse_at(h);
   const Point<3> m1 = normal_of(d, c, a), m2 = normal_of(c, d, b);
   const double after = std::min(quality_of(d, c, a, m1), quality_of(c, d, b, m2));
   if (after < least_factor * before || after < before + least_gain) return {};
@@ -43,13 +43,13 @@ std::optional<Flip> look_at(const WorkingMesh& work, int h) {
 }  // namespace
 
 void flip_edges(WorkingMesh& work) {
-  const std::vector<char> needy = work.faces_below(good_as_it_is);
   make_moves<Flip>(
-      work.net, [&](int h) { return work.is_at(needy, h) ? look_at(work, h) : std::nullopt; },
+      work.net, [&](int h) { return work.worse_at(h) < good_as_it_is ? look_at(work, h) : std::nullopt; },
       [&](const Flip& move, VertexSet& changed) {
         const int h = move.edge, t = work.net.twin(h);
         work.net.flip(h);
         for (const int g : {h, t}) {
+          work.renew(g / 3);
           changed.add(work.net.origin(g));
           changed.add(work.net.origin(HalfEdges::previous(g)));
         }

@@ -17,11 +17,10 @@ constexpr Index block = 1024;
 
 // The corners of triangles that are not good as they are.
 std::vector<int> find_movable(const WorkingMesh& work) {
-  const std::vector<char> needy = work.faces_below(good_as_it_is);
   VertexSet asked(work.mesh.vertices(), false);
   std::vector<int> movable;
   for (int f = 0; f < work.net.size() / 3; ++f) {
-    if (needy[static_cast<std::size_t>(f)] == 0) continue;
+    if (work.quality[static_cast<std::size_t>(f)] >= good_as_it_is) continue;
     for (int h = 3 * f; h < 3 * f + 3; ++h) {
       const int v = work.net.origin(h);
       if (!asked.has(v) && !work.is_fixed(v)) movable.push_back(v);
@@ -48,7 +47,8 @@ Point<3> propose(const WorkingMesh& work, int v) {
   return here + move;
 }
 
-// Whether the triangles around v may be as they are rather than as they were with the vertices `before`.
+// Whether the triangles around v may be as they are rather than as they were with the vertices `before`, of
+// which the qualities still are.
 bool is_content(const WorkingMesh& work, const Points<3>& before, int v) {
   const HalfEdges& net = work.net;
   const Point<3> from = before.col(v), to = work.at(v);
@@ -61,10 +61,7 @@ bool is_content(const WorkingMesh& work, const Points<3>& before, int v) {
     return !was.isZero(0) && !within(was, is, largest_turn);
   });
   if (turned) return false;
-  return fresh >= good_enough || net.any_leaving(v, [&](int h) {
-    return quality_of(from, before.col(net.target(h)), before.col(net.origin(HalfEdges::previous(h)))) <=
-           fresh;
-  });
+  return fresh >= good_enough || fresh >= work.worst_around(v);
 }
 
 // Takes slides back until everybody who is still `sliding` is content; `asked` are those to ask first.
@@ -105,6 +102,7 @@ void slide_vertices(WorkingMesh& work, Sampler& sampler) {
     sliding.add(movable[i]);
   }
   take_back(work, before, movable, sliding);
+  work.renew_all();
 }
 
 }  // namespace seesaw

@@ -5,16 +5,30 @@
 
 namespace seesaw {
 
-std::vector<char> WorkingMesh::faces_below(double quality) const {
-  const Index count = net.size() / 3;
-  std::vector<char> below(static_cast<std::size_t>(count), 0);
-  parallel_blocks(count, 1024, [&](Index begin, Index end) {
-    for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f)
-      if (net.is_alive(3 * f))
-        below[static_cast<std::size_t>(f)] =
-            quality_of(at(net.origin(3 * f)), at(net.origin(3 * f + 1)), at(net.origin(3 * f + 2))) < quality;
+WorkingMesh::WorkingMesh(LatticeMesh& its_mesh, double its_cell)
+    : mesh(its_mesh),
+      net(its_mesh.faces, its_mesh.vertices()),
+      cell(its_cell),
+      quality(static_cast<std::size_t>(its_mesh.faces.cols())) {
+  renew_all();
+}
+
+double WorkingMesh::worst_around(int v) const {
+  double worst = 1;
+  net.for_each_leaving(v, [&](int h) { worst = std::min(worst, quality_at(h)); });
+  return worst;
+}
+
+void WorkingMesh::renew(int face) {
+  const int h = 3 * face;
+  quality[static_cast<std::size_t>(face)] =
+      net.is_alive(h) ? quality_of(at(net.origin(h)), at(net.origin(h + 1)), at(net.origin(h + 2))) : 1;
+}
+
+void WorkingMesh::renew_all() {
+  parallel_blocks(static_cast<Index>(quality.size()), 1024, [&](Index begin, Index end) {
+    for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) renew(f);
   });
-  return below;
 }
 
 void WorkingMesh::finish() {

@@ -3,6 +3,7 @@
 // Before it: assemble.h.  After it: collapse.h, flip.h and slide.h, one kind of move each.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/polygonize/assemble.h"
@@ -27,22 +28,29 @@ struct WorkingMesh {
   LatticeMesh& mesh;
   HalfEdges net;
   double cell;  ///< the side of a cube
+  /// Of each face (triangle_quality.h); 1, better than any, for those that have collapsed. Who makes a move
+  /// calls `renew` for the faces that have changed.
+  std::vector<double> quality;
 
-  /// Keeps a reference to `mesh`.
-  WorkingMesh(LatticeMesh& its_mesh, double its_cell)
-      : mesh(its_mesh), net(its_mesh.faces, its_mesh.vertices()), cell(its_cell) {}
+  /// Keeps a reference to `its_mesh`.
+  WorkingMesh(LatticeMesh& its_mesh, double its_cell);
 
   Point<3> at(int v) const { return mesh.positions.col(v); }
   /// On a face of the lattice's range, or on the mesh's boundary.
   bool is_fixed(int v) const { return mesh.on_range[static_cast<std::size_t>(v)] != 0 || net.is_boundary(v); }
-  /// For each face 1 where its quality (triangle_quality.h) is less than `quality`, else 0.
-  std::vector<char> faces_below(double quality) const;
-  /// Whether one of the two faces at the edge of h is among those marked.
-  bool is_at(const std::vector<char>& faces, int h) const {
+
+  /// The quality of the face of h.
+  double quality_at(int h) const { return quality[static_cast<std::size_t>(h / 3)]; }
+  /// Of the worse of the two faces at the edge of h.
+  double worse_at(int h) const {
     const int t = net.twin(h);
-    return faces[static_cast<std::size_t>(h / 3)] != 0 ||
-           (t >= 0 && faces[static_cast<std::size_t>(t / 3)] != 0);
+    return t < 0 ? quality_at(h) : std::min(quality_at(h), quality_at(t));
   }
+  /// Of the worst face around v.
+  double worst_around(int v) const;
+  void renew(int face);
+  void renew_all();
+
   /// To call in the end: gives the mesh the faces of the net, without what has collapsed.
   void finish();
 };
