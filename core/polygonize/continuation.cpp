@@ -55,7 +55,7 @@ bool Continuation::look_at(const Corner& cube) {
   }
   const int known = looked_at_.size();
   if (looked_at_.insert(key) != known) return false;
-  wave_.push_back({key, known, unknown});
+  wave_.push_back({key, known, unknown, -1});
   crossed_.push_back(false);
   return true;
 }
@@ -105,14 +105,16 @@ bool Continuation::run(std::size_t most_cubes) {
       found_.cubes.push_back(crossed);
       const unsigned faces = crossed_faces(crossed.inside);
       for (int face = 0; face < 6; ++face) {
-        if (!(faces >> face & 1u)) continue;
+        if (!(faces >> face & 1u) || face == visit.back) continue;
         const unsigned axis = static_cast<unsigned>(face) / 2, side = static_cast<unsigned>(face) % 2;
         Corner next = corner_of(visit.key);
         next[axis] += side == 1 ? 1 : -1;
         if (!look_at(next)) continue;
         // It shares the face's corners, which have their numbers.
+        Visit& seen = wave_.back();
+        seen.back = face ^ 1;
         for (unsigned c = 0; c < 8; ++c)
-          if ((c >> axis & 1u) == side) wave_.back().corner[c ^ 1u << axis] = visit.corner[c];
+          if ((c >> axis & 1u) == side) seen.corner[c ^ 1u << axis] = visit.corner[c];
       }
     }
   }

@@ -84,11 +84,13 @@ class Continuation {
   void keep_range();
 
  private:
-  // A cube of the wave, its place among all that were looked at, and its corners as far as they are known.
+  // A cube of the wave, its place among all that were looked at, its corners as far as they are known, and
+  // the face that leads back to where it was seen from, -1 for a seed's.
   struct Visit {
     Key key;
     int number;
     std::array<int, 8> corner;
+    int back;
   };
   void evaluate_corners();
 
