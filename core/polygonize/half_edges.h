@@ -1,6 +1,6 @@
 // A triangle mesh as a net of half-edges that can be changed without tearing it.
 //
-// Before it: the faces of an oriented manifold, with or without boundary.  After it: improve.h.
+// Before it: the faces of an oriented manifold, with or without boundary.  After it: working_mesh.h.
 //
 // Half-edge h = 3 f + k leads from corner k of face f to the next; its twin is the same edge seen from the
 // other face, -1 on the boundary. Two changes, each of which keeps an oriented manifold one, of the same

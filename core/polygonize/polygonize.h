@@ -12,12 +12,16 @@
 //   lattice.h        where the cubes are, and their numbers
 //   continuation.h   waves of cubes: new corners of a wave are evaluated in one batch, each corner once
 //   scan.h           the exhaustive mode: all cubes of the box
-//   cube_table.h     the polygons of one cube for each of its 256 patterns of signs, made by walking its
-//   faces assemble.h       cubes to triangles: a closed, oriented manifold by construction edge_roots.h where
-//   f = 0 on a lattice edge specks.h         what has nothing inside is no surface seeds.h          walks
-//   seeds onto f = 0; does the mesh pass there, facing the right way? small.h          looks with finer
-//   lattices for the small component that a seed stands on half_edges.h     the mesh as a net that can be
-//   changed without tearing it improve.h        short edges collapse, edges flip, vertices slide: no needles
+//   cube_table.h     one cube's polygons for each of its 256 patterns of signs, made by walking its faces
+//   assemble.h       cubes to triangles: a closed, oriented manifold by construction
+//   edge_roots.h     where f = 0 on a lattice edge
+//   specks.h         what has nothing inside is no surface
+//   seeds.h          walks seeds onto f = 0; does the mesh pass there, facing the right way?
+//   small.h          looks with finer lattices for the small component that a seed stands on
+//   improve.h        no needles, by three moves (of a working_mesh.h, in parallel by moves.h):
+//   collapse.h       short edges, and edges of needles that are left, collapse
+//   flip.h           edges flip
+//   slide.h          vertices slide along the surface
 //   project.h        Newton along the gradient: vertices onto f = 0, and their normals
 //
 // The sign rule is that of field.h: f >= 0 is inside (-0.0 too), everything else outside, also what is not a

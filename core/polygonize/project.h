@@ -1,6 +1,6 @@
 // Vertices onto f = 0, by Newton's method along the gradient, with a leash.
 //
-// Before it: improve.h, which slides vertices off the surface a little.  After it: the finished mesh.
+// Before it: slide.h, which slides vertices off the surface a little.  After it: the finished mesh.
 //
 //     p <- p - f(p) g / |g|^2,   g = grad f(p)
 //

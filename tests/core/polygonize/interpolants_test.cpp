@@ -45,7 +45,7 @@ void expect_one_of_genus(const Constraints<3>& constraints, Index genus, const s
     EXPECT_EQ(result.seeds_on_surface, seeds.cols()) << cells;
     EXPECT_LE(farthest_off(f, result.mesh), 1e-10);
     EXPECT_EQ(result.unpolished, 0);
-    EXPECT_GT(result.smallest_angle, 8) << cells;
+    EXPECT_GT(result.smallest_angle, 22) << cells;
     for (Index i = 0; i < seeds.cols(); ++i)
       EXPECT_LT(about_distance(result.mesh, seeds.col(i)), 0.8 * result.cell) << cells;
   }
