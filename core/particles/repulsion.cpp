@@ -1,0 +1,121 @@
+#include "core/particles/repulsion.h"
+
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "core/base/check.h"
+#include "core/base/parallel.h"
+#include "core/particles/neighbors.h"
+#include "core/particles/same_sheet.h"
+
+namespace seesaw {
+namespace {
+
+// What one floater collects.
+struct Sum {
+  Point<3> push = Point<3>::Zero();
+  double own = 0, others = 0, moment = 0, turn = 0;
+};
+
+void add_pair(const Crowd& crowd, const RepulsionOptions& options, Index i, Index j, double squared,
+              Sum& sum) {
+  const Point<3> r = crowd.positions.col(i) - crowd.positions.col(j);
+  const double weight = same_sheet(r, crowd.normals.col(i), crowd.normals.col(j));
+  if (weight == 0) return;
+  constexpr double last = repulsion_reach * repulsion_reach;
+  const double si = crowd.radii[i] * crowd.radii[i], sj = crowd.radii[j] * crowd.radii[j];
+  const double scale = weight * options.amplitude;
+  const double mine = squared <= last * si ? scale * std::exp(-0.5 * squared / si) : 0.0;
+  const double theirs = options.mutual && squared <= last * sj ? scale * std::exp(-0.5 * squared / sj) : 0.0;
+  sum.push += (mine + si / sj * theirs) * r;
+  sum.own += mine;
+  sum.others += theirs;
+  sum.moment += squared * mine;
+  if (squared > 0)
+    sum.turn += (mine + theirs) * (crowd.normals.col(i) - crowd.normals.col(j)).squaredNorm() / squared;
+}
+
+PairSums room_for(Index n) {
+  return {Points<3>::Zero(3, n), Values::Zero(n), Values::Zero(n), Values::Zero(n), Values::Zero(n)};
+}
+
+void write(const Crowd& crowd, Index i, const Sum& sum, PairSums& sums) {
+  const double radius = crowd.radii[i], all = sum.own + sum.others;
+  sums.push.col(i) = sum.push;
+  sums.energy[i] = all;
+  sums.own[i] = sum.own;
+  sums.own_slope[i] = sum.moment / (radius * radius * radius);
+  sums.curvature[i] = all > 0 ? std::sqrt(2 * sum.turn / all) : 0.0;
+}
+
+void check(const Crowd& crowd) {
+  SEESAW_CHECK_EQ(crowd.positions.cols(), crowd.normals.cols());
+  SEESAW_CHECK_EQ(crowd.positions.cols(), crowd.radii.size());
+}
+
+// One leaf's candidates, coordinate by coordinate, so that distances are computed several at a time.
+struct Table {
+  std::vector<double> x, y, z, reach, squared;
+
+  void fill(const Crowd& crowd, std::span<const int> candidates) {
+    for (std::vector<double>* column : {&x, &y, &z, &reach, &squared}) column->resize(candidates.size());
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      const Index j = candidates[k];
+      x[k] = crowd.positions(0, j), y[k] = crowd.positions(1, j), z[k] = crowd.positions(2, j);
+      reach[k] = repulsion_reach * repulsion_reach * crowd.radii[j] * crowd.radii[j];
+    }
+  }
+  // squared[k] = |p - candidate k|^2.
+  void measure(const Point<3>& p) {
+    const double px = p[0], py = p[1], pz = p[2];
+    double* const out = squared.data();
+    const double *const xs = x.data(), *const ys = y.data(), *const zs = z.data();
+    for (std::size_t k = 0; k < squared.size(); ++k) {
+      const double dx = px - xs[k], dy = py - ys[k], dz = pz - zs[k];
+      out[k] = dx * dx + dy * dy + dz * dz;
+    }
+  }
+};
+
+}  // namespace
+
+PairSums repulsion(const Crowd& crowd, const RepulsionOptions& options) {
+  check(crowd);
+  PairSums sums = room_for(crowd.radii.size());
+  const Neighbors neighbors(crowd.positions, repulsion_reach * crowd.radii);
+  neighbors.for_each_leaf([&](std::span<const int> members, std::span<const int> candidates) {
+    thread_local Table table;
+    table.fill(crowd, candidates);
+    for (const int i : members) {
+      table.measure(crowd.positions.col(i));
+      const double reach = repulsion_reach * repulsion_reach * crowd.radii[i] * crowd.radii[i];
+      Sum sum;
+      for (std::size_t k = 0; k < candidates.size(); ++k)
+        if (table.squared[k] <= std::max(reach, table.reach[k]) && candidates[k] != i)
+          add_pair(crowd, options, i, candidates[k], table.squared[k], sum);
+      write(crowd, i, sum, sums);
+    }
+  });
+  return sums;
+}
+
+PairSums repulsion_of_all_pairs(const Crowd& crowd, const RepulsionOptions& options) {
+  check(crowd);
+  const Index n = crowd.radii.size();
+  PairSums sums = room_for(n);
+  parallel_blocks(n, 16, [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      Sum sum;
+      for (Index j = 0; j < n; ++j)
+        if (j != i)
+          add_pair(crowd, options, i, j, (crowd.positions.col(i) - crowd.positions.col(j)).squaredNorm(),
+                   sum);
+      write(crowd, i, sum, sums);
+    }
+  });
+  return sums;
+}
+
+}  // namespace seesaw
