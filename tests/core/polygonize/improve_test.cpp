@@ -139,9 +139,9 @@ TEST(Improve, TheNumberOfThreadsChangesNothing) {
   std::vector<Polygonization> results;
   for (const std::size_t threads : {1, 2, 5}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    results.push_back(polygonize(field, one_seed(1.4, 0.1, -0.1), {.cells = 60}));
+    results.push_back(polygonize(field, one_seed(1.4, 0.1, -0.1), {.cells = 36}));
   }
-  ASSERT_GT(results[0].mesh.faces.cols(), 3 * 4096);  // more than a block
+  ASSERT_GT(results[0].mesh.faces.cols(), 4096);  // several blocks
   for (const Polygonization& result : results) {
     EXPECT_EQ(result.mesh.vertices, results[0].mesh.vertices);
     EXPECT_EQ(result.mesh.normals, results[0].mesh.normals);
