@@ -50,7 +50,7 @@ void fit_round(benchmark::State& state, Kernel kernel, Index n) {
   // The price of new memory alone: one number in every 4096 bytes.
   turns.take("pages", [&] {
     dense::Symmetric fresh(n);
-    for (Index i = 0; i < n * n; i += 512) fresh.data()[i] = 0.0;
+    for (Index i = 0; i < fresh.stored(); i += 512) fresh.data()[i] = 0.0;
     benchmark::DoNotOptimize(fresh.data());
   });
   // The sums that the kernel matrix is made of, into memory that is warm.

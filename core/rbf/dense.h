@@ -1,7 +1,18 @@
-// The dense linear algebra that a fit needs, on BLAS and LAPACK where they are installed, on Eigen where they
-// are not. Those libraries pick the processor's instructions at run time; what we compile ourselves may not.
+// The dense linear algebra that a fit needs. The algorithms are written once, strip by strip; their steps are
+// BLAS and LAPACK where they are installed, Eigen where they are not (dense_steps.h).
 //
-// A symmetric matrix is its lower triangle, column by column.
+// A symmetric matrix is its lower triangle, and little more than that is stored: its columns are cut into
+// strips, each of which begins at its own diagonal. Half the memory is half the pages that the system has to
+// clear, and within a strip everything is an ordinary column-major matrix.
+//
+//        +----+
+//        | \  |            strip t: columns t w .. t w + w - 1, rows from t w on,
+//        |  \ +----+       its columns n - t w numbers apart
+//        |    | \  |
+//        |    |  \ +---+
+//        +----+----+---+
+//
+// Before it: a matrix that somebody fills.  After it: core/rbf/solve.h.
 #pragma once
 
 #include <functional>
@@ -11,24 +22,38 @@
 
 namespace seesaw::dense {
 
-/// A square matrix of which only the lower triangle means anything; not initialized. n^2 doubles, in large
-/// pages where the system has them: a new matrix of 100 MB otherwise costs 25,000 page faults, a tenth of its
-/// factorization.
+/// A square matrix of which only the lower triangle means anything; not initialized. About n^2 / 2 doubles,
+/// in large pages where the system has them: a new matrix of 100 MB otherwise costs 25,000 page faults, a
+/// tenth of its factorization.
 class Symmetric {
  public:
+  /// Columns in a strip.
+  static constexpr Index strip = 384;
+
   explicit Symmetric(Index n);
 
   Index size() const { return n_; }
-  /// Entry (i, j) is `data()[i + j * size()]`, i >= j.
+  /// How many doubles are stored.
+  Index stored() const { return start_of((n_ + strip - 1) / strip); }
   double* data() { return memory_.get(); }
-  const double* data() const { return memory_.get(); }
+  /// Entry (i, j), i not above the strip of j. Entries of one column follow each other; those of one row in
+  /// one strip are stride(j) apart.
+  double* at(Index i, Index j) {
+    return memory_.get() + start_of(j / strip) + (i - first_row(j)) + (j % strip) * stride(j);
+  }
+  const double* at(Index i, Index j) const { return const_cast<Symmetric*>(this)->at(i, j); }
+  Index stride(Index j) const { return n_ - first_row(j); }
   /// Rows i .. n - 1 of column j.
-  Eigen::Map<Values> column_from(Index i, Index j) { return {data() + i + j * n_, n_ - i}; }
+  Eigen::Map<Values> column_from(Index i, Index j) { return {at(i, j), n_ - i}; }
 
  private:
   struct Free {
     void operator()(double* memory) const;
   };
+  static Index first_row(Index j) { return j / strip * strip; }
+  // Strips 0 .. t - 1 have strip * (n + (n - strip) + ...) numbers. (The last may be narrower.)
+  Index start_of(Index t) const { return strip * (t * n_ - strip * (t * (t - 1) / 2)); }
+
   Index n_;
   std::unique_ptr<double[], Free> memory_;
 };

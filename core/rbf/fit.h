@@ -57,7 +57,7 @@ struct Fit {
 
 /// The function of least energy that meets the constraints. Throws ConstraintError, naming the culprits,
 /// where there is none: see core/rbf/system.h; too_close where centers are so near that no digit tells them
-/// apart. Memory N^2 doubles, time N^3 / 3 multiplications, N the number of rows.
+/// apart. Memory N^2 / 2 doubles, time N^3 / 3 multiplications, N the number of rows.
 template <int Dim>
 Fit<Dim> fit(const Constraints<Dim>& constraints, const FitOptions& options = {});
 

@@ -38,7 +38,7 @@ struct Solution {
   Values polynomial;  ///< Dim + 1: constant, then the linear part
 };
 
-/// Factors the system of N centers once, and solves it for any values. Memory: N^2 doubles. Time: N^3 / 3
+/// Factors the system of N centers once, and solves it for any values. Memory: N^2 / 2 doubles. Time: N^3 / 3
 /// multiplications in Cholesky and little besides.
 template <int Dim>
 class Factorization {
