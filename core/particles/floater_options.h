@@ -42,7 +42,7 @@ struct FloaterOptions {
   /// The common radius of simple repulsion over d. 0: the average of the radii there are, which for a
   /// population that was at rest is about the paper's best value, 0.3 sqrt(area / number).
   double simple_radius = 0;
-  /// Global fissioning: all divide when they move slower than this on average, in radii per unit of time.
+  /// Global fissioning: all divide when half of them are slower than this, in radii per unit of time.
   double generation_speed = 0.5;
 
   /// Density by curvature (their future work): the angle in radians by which the normal should turn, at most,

@@ -12,9 +12,10 @@ namespace {
 
 constexpr double longest_step = 0.5;       // along the surface, in radii
 constexpr double longest_following = 0.1;  // along the normal, in diameters: a gradient may be nearly zero
-constexpr double curvature_memory = 0.9;   // a step
-constexpr Index quiet = 100;               // steps
-constexpr double slow = 0.05;              // radii per unit of time
+constexpr double least_pace = 0.02, slower = 0.6, faster = 1.05;
+constexpr double curvature_memory = 0.9;  // a step
+constexpr Index quiet = 100;              // steps
+constexpr double slow = 0.05;             // radii per unit of time
 
 void shorten(Eigen::Ref<Point<3>> v, double most) {
   const double length = v.norm();
@@ -47,10 +48,14 @@ void Floaters::move(const Field<3>& field) {
     Point<3> following = dt * normal_.col(i);
     // An astray floater has nothing but its feedback to go by, and that may point anywhere.
     shorten(following, astray_[i] > 0 ? desired[i] : longest_following * diameter_);
+    pace_[i] = tangent_.col(i).dot(heading_.col(i)) < 0 ? std::max(least_pace, slower * pace_[i])
+                                                        : std::min(1.0, faster * pace_[i]);
+    ways.by.col(i) *= pace_[i];
     shorten(ways.by.col(i), longest_step * crowd_.radii[i]);
     ways.from.col(i) += following;
     ways.leashes[i] += 0.5 * following.norm();
   }
+  heading_ = tangent_;
   const Points<3> before = crowd_.positions;
   Walked walked = walk(field, ways);
   // "... it is best to leave such floaters motionless."
@@ -92,7 +97,7 @@ Index Floaters::equilibrate(const Field<3>& field, Index most, const Progress& p
   return most;
 }
 
-bool Floaters::at_rest() const { return size() > 0 && quiet_steps_ >= quiet && slide_speeds().mean() < slow; }
+bool Floaters::at_rest() const { return size() > 0 && quiet_steps_ >= quiet && median_speed() < slow; }
 
 Values Floaters::slide_speeds() const {
   Values result = Values::Zero(size());
@@ -116,6 +121,13 @@ Values Floaters::desired_radii() const {
 
 double Floaters::largest_radius() const {
   return std::max(options_.largest_radius * diameter_, 1.5 * desired_radius());
+}
+
+// The median, not the mean: a few may sit on a sharp edge, where the tangent plane keeps changing.
+double Floaters::median_speed() const {
+  Values speeds = slide_speeds();
+  std::nth_element(speeds.begin(), speeds.begin() + size() / 2, speeds.end());
+  return speeds[size() / 2];
 }
 
 Index Floaters::astray() const { return (astray_.array() > 0).count(); }

@@ -24,6 +24,9 @@
 //   - Repulsion acts between floaters of one sheet only (same_sheet.h).
 //   - No step leads to another sheet or component (walk.h), and no radius makes a step longer than half of
 //     it.
+//   - A floater that wants to go back where it came from has gone too far: Euler's step is too long there, on
+//     sharp edges and around limbs thinner than a radius. It then takes shorter steps, and longer ones again
+//     as it goes on.
 //   - A floater whose surface has gone is *astray*: it tries to come back for ten steps and as far as four
 //     desired radii, then it is *lost*: it dies, and is counted. So when a component vanishes its floaters
 //     do; they do not settle elsewhere. When the last one is lost, every step looks for a surface anew.
@@ -82,7 +85,7 @@ class Floaters {
   /// Steps until at rest, at most `most` times; returns how many. Throws Cancelled.
   Index equilibrate(const Field<3>& field, Index most = 3000, const Progress& progress = {});
 
-  /// Nobody was born, died or was lost in the last 100 steps, and the average speed along the surface is
+  /// Nobody was born, died or was lost in the last 100 steps, and the median speed along the surface is
   /// below 0.05 radii per unit of time.
   bool at_rest() const;
 
@@ -112,6 +115,7 @@ class Floaters {
  private:
   double desired_radius() const { return options_.desired_radius * diameter_; }
   double largest_radius() const;
+  double median_speed() const;
   /// `index` of the old population becomes `sources.size()` new ones; all arrays follow.
   void select(const std::vector<Index>& sources);
   void add(const Points<3>& positions, const Points<3>& normals, double radius);
@@ -129,9 +133,11 @@ class Floaters {
 
   Crowd crowd_;
   Points<3> velocities_ = Points<3>(3, 0);
-  Values curvature_;                  // smoothed over steps
-  Points<3> home_ = Points<3>(3, 0);  // where each was last on the surface
-  Eigen::VectorXi astray_;            // steps since
+  Values curvature_;                     // smoothed over steps
+  Points<3> home_ = Points<3>(3, 0);     // where each was last on the surface
+  Points<3> heading_ = Points<3>(3, 0);  // tangent_ of the step before
+  Values pace_;                          // how much of a step each takes
+  Eigen::VectorXi astray_;               // steps since
 
   // From the first half of a step to the second.
   Contact contact_;

@@ -1,5 +1,6 @@
 #include "core/particles/integrals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -13,7 +14,7 @@ namespace {
 
 // The width of the Gaussian in spacings, and how far it is followed in widths: there it is 3e-4, and the
 // missing rest of its integral as much.
-constexpr double widths = 1.0, reach = 4.0;
+constexpr double widths = 0.75, reach = 4.0;
 
 }  // namespace
 
@@ -30,15 +31,27 @@ Values area_shares(const Crowd& crowd) {
         for (const int i : members) {
           const Point<3> at = crowd.positions.col(i), normal = crowd.normals.col(i);
           const double square = width[i] * width[i], last = reach * reach * square;
-          double sum = 0;
+          double sum = 0, weights = 0, turn = 0, bend = 0;
           for (const int j : candidates) {
             const Point<3> r = at - crowd.positions.col(j);
             const double squared = r.squaredNorm();
-            if (squared <= last)
-              sum += (i == j ? 1.0 : same_sheet(r, normal, crowd.normals.col(j))) *
-                     std::exp(-0.5 * squared / square);
+            if (squared > last) continue;
+            const Point<3> turned = normal - crowd.normals.col(j);
+            const double weight = (i == j ? 1.0 : same_sheet(r, normal, crowd.normals.col(j))) *
+                                  std::exp(-0.5 * squared / square);
+            sum += weight;
+            if (!(squared > 0)) continue;
+            weights += weight;
+            turn += weight * turned.squaredNorm() / squared;
+            bend += weight * turned.dot(r) / squared;
           }
-          shares[i] = whole * square / sum;
+          // Averaged over directions, |n_i - n_j|^2 / |r|^2 is half of k1^2 + k2^2, and (n_i - n_j) . r /
+          // |r|^2 half of k1 + k2.
+          const double squares = weights > 0 ? 2 * turn / weights : 0,
+                       both = weights > 0 ? 2 * bend / weights : 0;
+          // The correction is a first term only; where it is not small it must not run away.
+          const double excess = square * std::max(0.0, 2 * squares - both * both) / 8;
+          shares[i] = whole * square / sum * (1 + excess / (1 + 2 * excess));
         }
       });
   return shares;

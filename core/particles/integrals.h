@@ -8,9 +8,14 @@
 //     share_i = 2 pi h_i^2 / sum_j w_ij exp(-|p_i - p_j|^2 / (2 h_i^2)),      j = i included
 //
 // with w_ij of same_sheet.h. In a hexagonal packing the sum is the integral over the plane divided by the
-// area of a cell to six digits at h_i = spacing. Distances are chords, and that is better than it sounds: on
-// any sphere the area within a chord r of a point is exactly pi r^2. So the estimate's error is not one of
-// curvature as such, but of its change within h_i, of sharp edges and thin limbs, and of uneven spacing.
+// area of a cell, to five digits at h_i = 0.75 spacings. Distances are chords. To second order in h, with
+// principal curvatures k1 and k2, that makes the sum too large by the factor
+//
+//     1 + h^2 (k1 - k2)^2 / 8
+//
+// (z = (k1 x^2 + k2 y^2) / 2: the area element adds h^2 (k1^2 + k2^2) / 2, and the z^2 in the chord takes
+// away h^2 (3 k1^2 + 3 k2^2 + 2 k1 k2) / 8.) On a sphere that is 1: there the area within a chord r of a
+// point is exactly pi r^2. Elsewhere it is taken out, with k1 and k2 from how neighbors' normals turn.
 //
 // The volume comes from the divergence theorem, as a mesh's does: with outward normals n,
 //

@@ -103,6 +103,7 @@ void Floaters::add(const Points<3>& positions, const Points<3>& normals, double 
   append(crowd_.positions, positions);
   append(crowd_.normals, normals);
   append(velocities_, Points<3>::Zero(3, more));
+  append(heading_, Points<3>::Zero(3, more));
   append(home_, positions);
   const auto append_number = [&](Values& all, double number) {
     all.conservativeResize(before + more);
@@ -110,6 +111,7 @@ void Floaters::add(const Points<3>& positions, const Points<3>& normals, double 
   };
   append_number(crowd_.radii, radius);
   append_number(curvature_, 0.0);
+  append_number(pace_, 1.0);
   astray_.conservativeResize(before + more);
   astray_.tail(more).setZero();
 }
@@ -117,9 +119,10 @@ void Floaters::add(const Points<3>& positions, const Points<3>& normals, double 
 void Floaters::select(const std::vector<Index>& sources) {
   const auto columns = [&](Points<3>& all) { all = Points<3>(all(Eigen::all, sources)); };
   const auto rows = [&](auto& all) { all = std::decay_t<decltype(all)>(all(sources)); };
-  for (Points<3>* all : {&crowd_.positions, &crowd_.normals, &velocities_, &home_}) columns(*all);
+  for (Points<3>* all : {&crowd_.positions, &crowd_.normals, &velocities_, &heading_, &home_}) columns(*all);
   rows(crowd_.radii);
   rows(curvature_);
+  rows(pace_);
   rows(astray_);
 }
 
@@ -144,7 +147,7 @@ void Floaters::live_and_die(const Field<3>& field) {
     const Values speeds = velocities_.colwise().norm();
     fate = fates(crowd_.radii, desired, sums_.own, speeds, rule, random_);
   } else if (options_.repulsion == Repulsion::global_fissioning && crowd_.radii[0] > desired_radius() &&
-             quiet_steps_ > 3 && slide_speeds().mean() < options_.generation_speed) {
+             quiet_steps_ > 3 && median_speed() < options_.generation_speed) {
     fate.assign(fate.size(), Fate::divides);
   }
   for (Index i = 0; i < size(); ++i)
@@ -212,6 +215,8 @@ void Floaters::carry_out(const Field<3>& field, const std::vector<Fate>& fate) {
     crowd_.positions.col(i) = home_.col(i) = walked.positions.col(child);
     crowd_.normals.col(i) = walked.normals.col(child);
     crowd_.radii[i] /= std::numbers::sqrt2;
+    heading_.col(i).setZero();
+    pace_[i] = 1;
   }
   if (options_.repulsion == Repulsion::global_fissioning && size() > 0)
     crowd_.radii.setConstant(crowd_.radii.minCoeff());

@@ -13,9 +13,9 @@
 //   - the sides of a slab, or two spheres face to face:  n_i . n_j = -1
 //   - stacked sheets that look the same way:             r parallel to m
 //
-// So the weight is 1 where n_i . n_j > 1/4 and |r . m| < |r| |m| / 2, falls to 0 at -1/4 and 0.8, and is
-// smooth between, since jumps would shake the floaters. A right-angled edge counts one half: floaters on both
-// sides of it still keep apart. What a floater loses are partners more than about 90 degrees around a limb
+// So the weight is 1 where n_i . n_j > 1/2 and |r . m| < |r| |m| / 2, falls to 0 at -1/2 and 0.8, and is
+// smooth between, since a jump would shake the floaters. A right-angled edge counts one half: floaters on
+// both sides of it still keep apart. What a floater loses are partners more than 120 degrees around a limb
 // that is thin for its radius; there only a few would fit anyway.
 #pragma once
 
@@ -36,12 +36,12 @@ inline double smooth_step(double from, double to, double x) {
 /// of unit length.
 inline double same_sheet(const Point<3>& from_j_to_i, const Point<3>& normal_i, const Point<3>& normal_j) {
   const double facing = normal_i.dot(normal_j);
-  if (facing <= -0.25) return 0;
+  if (facing <= -0.5) return 0;
   const Point<3> m = normal_i + normal_j;
   const double along = from_j_to_i.dot(m), size = from_j_to_i.squaredNorm() * m.squaredNorm();
   // Most pairs are plain neighbors: no root for them.
-  if (facing >= 0.25 && along * along <= 0.25 * size) return 1;
-  return smooth_step(-0.25, 0.25, facing) * (1 - smooth_step(0.5, 0.8, std::abs(along) / std::sqrt(size)));
+  if (facing >= 0.5 && along * along <= 0.25 * size) return 1;
+  return smooth_step(-0.5, 0.5, facing) * (1 - smooth_step(0.5, 0.8, std::abs(along) / std::sqrt(size)));
 }
 
 }  // namespace seesaw

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double longest_piece = 0.5;  // of the grain
 constexpr double checked_piece = 0.2;  // of the grain: longer ones are looked at half-way, too
-constexpr double least_facing = -0.3;  // n . n' across a piece
+constexpr double least_facing = -0.6;  // n . n' across a piece
 constexpr int shortest = 2;            // halvings of a piece before it is given up
 
 struct Walker {

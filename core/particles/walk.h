@@ -9,7 +9,7 @@
 // half a desired radius each, each followed by Newton, and the rest of the way turns with the tangent plane.
 // A piece counts when
 //   - Newton came no farther than three quarters of the piece, plus what the surface's own motion is allowed;
-//   - the normal turned by less than 107 degrees (right-angled edges must be passable);
+//   - the normal turned by less than 127 degrees (edges must be passable, unless they are sharp as a knife);
 //   - half-way, if the piece is long, the surface is near too: between two components it is not.
 // A piece that fails is halved, twice, and then given up: the floater stays where it last was on f = 0.
 #pragma once
