@@ -1,68 +1,21 @@
-// parse_document and read_document: from the tape to a checked document.
+// parse_document and read_document, and the parts of a document: from the tape to checked data.
 
-#include <algorithm>
-#include <vector>
-
-#include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/scene/document_json.h"
-#include "core/scene/document_rules.h"
-#include "core/scene/json_tape.h"
+#include "core/scene/document_parts.h"
+#include "core/scene/json_members.h"
 
 namespace seesaw {
 
 namespace {
 
-/// An object whose members are asked for by name; what nobody asked for are its extras.
-class Members {
- public:
-  explicit Members(JsonValue object) : object_(object) {
-    if (object.type() != JsonType::object)
-      object.refuse(std::string("expected an object, found ") + object.description());
-  }
-
-  std::optional<JsonValue> find(std::string_view key) {
-    asked_.push_back(key);
-    return object_.find(key);
-  }
-  JsonValue need(std::string_view key, const std::string& expected) {
-    if (const auto value = find(key)) return *value;
-    object_.refuse(key, "is missing: expected " + expected);
-  }
-  void read(std::string_view key, std::string& into) {
-    if (const auto value = find(key)) into = value->text();
-  }
-  void read(std::string_view key, double& into) {
-    if (const auto value = find(key)) into = value->number();
-  }
-  void read(std::string_view key, bool& into) {
-    if (const auto value = find(key)) into = value->boolean();
-  }
-
-  Extras extras() const {
-    Extras result;
-    object_.each_member([&](std::string_view key, JsonValue value) {
-      if (std::find(asked_.begin(), asked_.end(), key) == asked_.end())
-        result.push_back({std::string(key), value.json()});
-    });
-    return result;
-  }
-
-  /// Throws the fault, if there is one, with the line and path of its key.
-  void check(const std::optional<Fault>& fault) const {
-    if (fault) object_.refuse(fault->key, fault->message);
-  }
-
- private:
-  JsonValue object_;
-  std::vector<std::string_view> asked_;
-};
-
 template <int Dim>
 std::string example_point() {
   return Dim == 2 ? "2 numbers such as [0, 1]" : "3 numbers such as [0, 1, 0]";
 }
+
+}  // namespace
 
 template <int Dim>
 Point<Dim> point_of(JsonValue value) {
@@ -124,6 +77,8 @@ SceneConstraint<Dim> scene_constraint_of(JsonValue value) {
   return result;
 }
 
+namespace {
+
 template <int Dim>
 void read_view(JsonValue value, Display<Dim>& into) {
   Members members(value);
@@ -162,6 +117,8 @@ Camera camera_of(JsonValue value) {
   return result;
 }
 
+}  // namespace
+
 Kernel kernel_of(JsonValue value) {
   if (const auto kernel = kernel_named(value.text())) return *kernel;
   std::string known;
@@ -170,8 +127,10 @@ Kernel kernel_of(JsonValue value) {
   value.refuse("expected one of " + known);
 }
 
+namespace {
+
 template <int Dim>
-Document<Dim> document_of(Members& members) {
+Document<Dim> body_of(Members& members) {
   Document<Dim> result;
   members.read("title", result.title);
   members.read("figure", result.figure);
@@ -208,16 +167,18 @@ void check_version(JsonValue top) {
                    to_text(number));
 }
 
+}  // namespace
+
 int dimension_of(JsonValue value) {
   const double dimension = value.number();
   if (dimension != 2 && dimension != 3) value.refuse("expected 2 or 3, found " + to_text(dimension));
   return static_cast<int>(dimension);
 }
 
+namespace {
+
 /// `wanted` is 2, 3, or 0 for either.
-AnyDocument parse(std::string_view text, const std::string& name, int wanted) {
-  const JsonTape tape = parse_json(text, name);
-  const JsonValue top(tape);
+AnyDocument any_document_of(JsonValue top, int wanted) {
   check_version(top);
   Members members(top);
   members.find("seesaw");
@@ -226,13 +187,23 @@ AnyDocument parse(std::string_view text, const std::string& name, int wanted) {
   if (wanted != 0 && dimension != wanted)
     value.refuse("this is a " + std::to_string(dimension) + "D document, expected a " +
                  std::to_string(wanted) + "D one");
-  if (dimension == 2) return document_of<2>(members);
-  return document_of<3>(members);
+  if (dimension == 2) return body_of<2>(members);
+  return body_of<3>(members);
+}
+
+AnyDocument parse(std::string_view text, const std::string& name, int wanted) {
+  const JsonTape tape = parse_json(text, name);
+  return any_document_of(JsonValue(tape), wanted);
 }
 
 std::string file_text(const std::filesystem::path& path) { return read_file(path, JsonLimits().bytes); }
 
 }  // namespace
+
+template <int Dim>
+Document<Dim> document_of(JsonValue value) {
+  return std::get<Document<Dim>>(any_document_of(value, Dim));
+}
 
 AnyDocument parse_document(std::string_view text, const std::string& name) { return parse(text, name, 0); }
 
@@ -250,6 +221,12 @@ Document<Dim> read_document(const std::filesystem::path& path) {
   return parse_document<Dim>(file_text(path), path.string());
 }
 
+template Point<2> point_of(JsonValue);
+template Point<3> point_of(JsonValue);
+template SceneConstraint<2> scene_constraint_of(JsonValue);
+template SceneConstraint<3> scene_constraint_of(JsonValue);
+template Document<2> document_of(JsonValue);
+template Document<3> document_of(JsonValue);
 template Document<2> parse_document(std::string_view, const std::string&);
 template Document<3> parse_document(std::string_view, const std::string&);
 template Document<2> read_document(const std::filesystem::path&);

@@ -1,12 +1,20 @@
-// to_json_text and write_document.
+// to_json_text and write_document, and the parts of a document as text.
 
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/scene/document_json.h"
+#include "core/scene/document_parts.h"
 #include "core/scene/document_rules.h"
 #include "core/scene/json_text.h"
 
 namespace seesaw {
+
+template <int Dim>
+std::string json_point(const Point<Dim>& point) {
+  std::string text = "[";
+  for (int d = 0; d < Dim; ++d) text += (d ? ", " : "") + json_number(point[d]);
+  return text + "]";
+}
 
 namespace {
 
@@ -28,26 +36,21 @@ class OneLine {
 
 const char* boolean(bool value) { return value ? "true" : "false"; }
 
-template <class Vector>
-std::string numbers(const Vector& v) {
-  std::string text = "[";
-  for (Index d = 0; d < v.size(); ++d) text += (d ? ", " : "") + json_number(v[d]);
-  return text + "]";
-}
-
 void check(const std::optional<Fault>& fault, const std::string& path) {
   if (fault) throw Error(path + fault->key + ": " + fault->message);
 }
 
+}  // namespace
+
 template <int Dim>
-std::string text_of(const SceneConstraint<Dim>& each) {
+std::string json_line(const SceneConstraint<Dim>& each) {
   const Constraint<Dim>& c = each.constraint;
   OneLine line;
   line.add("kind", json_string(name_of(c.kind)));
-  line.add("at", numbers(c.at));
+  line.add("at", json_point<Dim>(c.at));
   if (c.normal) {
     // The defaults too: a shape does not change when a later version chooses others.
-    line.add("normal", numbers(c.normal->direction));
+    line.add("normal", json_point<Dim>(c.normal->direction));
     line.add("offset", json_number(c.normal->offset));
     line.add("value", json_number(c.normal->value));
   }
@@ -59,14 +62,16 @@ std::string text_of(const SceneConstraint<Dim>& each) {
   return line.text();
 }
 
+namespace {
+
 /// Empty where there is nothing to say.
 template <int Dim>
 std::string text_of(const Display<Dim>& display) {
   OneLine line;
   if (display.view) {
     OneLine box;
-    box.add("min", numbers(display.view->min()));
-    box.add("max", numbers(display.view->max()));
+    box.add("min", json_point<Dim>(display.view->min()));
+    box.add("max", json_point<Dim>(display.view->max()));
     box.add(display.view_extras);
     line.add("view", box.text());
   }
@@ -83,9 +88,9 @@ std::string text_of(const Display<Dim>& display) {
 
 std::string text_of(const Camera& camera) {
   OneLine line;
-  line.add("position", numbers(camera.position));
-  line.add("target", numbers(camera.target));
-  line.add("up", numbers(camera.up));
+  line.add("position", json_point<3>(camera.position));
+  line.add("target", json_point<3>(camera.target));
+  line.add("up", json_point<3>(camera.up));
   line.add("field_of_view", json_number(camera.field_of_view));
   line.add(camera.extras);
   return line.text();
@@ -124,7 +129,7 @@ std::string to_json_text(const Document<Dim>& document) {
   text += ",\n  \"constraints\": [";
   for (std::size_t i = 0; i < document.constraints.size(); ++i) {
     check(fault_of(document.constraints[i]), "constraints[" + std::to_string(i) + "].");
-    text += (i ? ",\n    " : "\n    ") + text_of(document.constraints[i]);
+    text += (i ? ",\n    " : "\n    ") + json_line(document.constraints[i]);
   }
   text += document.constraints.empty() ? "]\n}\n" : "\n  ]\n}\n";
   return text;
@@ -143,6 +148,10 @@ void write_document(const std::filesystem::path& path, const AnyDocument& docume
   write_file(path, to_json_text(document));
 }
 
+template std::string json_point(const Point<2>&);
+template std::string json_point(const Point<3>&);
+template std::string json_line(const SceneConstraint<2>&);
+template std::string json_line(const SceneConstraint<3>&);
 template std::string to_json_text(const Document<2>&);
 template std::string to_json_text(const Document<3>&);
 template void write_document(const std::filesystem::path&, const Document<2>&);

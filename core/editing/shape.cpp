@@ -1,0 +1,21 @@
+#include "core/editing/shape.h"
+
+namespace seesaw {
+
+template <int Dim>
+void solve(Shape<Dim>& shape, const Document<Dim>& document, std::uint64_t revision,
+           const Solver<Dim>& solver) {
+  try {
+    Fit<Dim> fitted =
+        solver(constraints_of(document), {.kernel = document.kernel, .smoothing = document.smoothing});
+    shape = {std::make_shared<const Interpolant<Dim>>(std::move(fitted.function)), fitted.report, revision,
+             std::nullopt};
+  } catch (const ConstraintError& error) {
+    shape.impossible = Impossible{error.reason(), error.what(), error.culprits()};
+  }
+}
+
+template void solve(Shape<2>&, const Document<2>&, std::uint64_t, const Solver<2>&);
+template void solve(Shape<3>&, const Document<3>&, std::uint64_t, const Solver<3>&);
+
+}  // namespace seesaw
