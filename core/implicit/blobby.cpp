@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/implicit/gaussian.h"
+
 namespace seesaw {
 
 template <int Dim>
@@ -61,18 +63,10 @@ double BlobbySpheres<Dim>::gradient_bound(const Box<Dim>& box) const {
   for (Index k = 0; k < size(); ++k) {
     const double s = deviations_[k];
     const Point<Dim> center = centers_.col(k);
-    // In units of s: the nearest and farthest distance of the box from the center.
-    const double near = box.exteriorDistance(center) / s;
     const Point<Dim> reach = (box.min() - center).cwiseAbs().cwiseMax((box.max() - center).cwiseAbs());
-    const double far = reach.norm() / s;
-    // |grad g| = 2 d exp(-d^2) / s rises to d = sqrt(1/2) and falls from there.
-    const double steepest = std::clamp(std::sqrt(0.5), near, far);
-    slopes += 2 * steepest * std::exp(-steepest * steepest) / s;
-    // The Hessian's eigenvalues are -2 exp(-u) / s^2 across and 2 (2 u - 1) exp(-u) / s^2 along the radius,
-    // u = d^2; the first falls in size, the second is largest at u = 3/2.
-    const double u = std::clamp(1.5, near * near, far * far);
-    const double largest = std::max(std::exp(-near * near), (2 * u - 1) * std::exp(-u));
-    hessians += 2 * largest / (s * s);
+    const GaussianBounds bounds = gaussian_bounds(box.exteriorDistance(center), reach.norm(), s);
+    slopes += bounds.slope;
+    hessians += bounds.hessian;
   }
   return std::min(slopes, this->gradient(middle).norm() + radius * hessians) * (1 + 1e-12);
 }

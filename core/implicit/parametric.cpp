@@ -21,6 +21,13 @@ void ParametricField<Dim>::freeze(Index index, bool frozen) {
 }
 
 template <int Dim>
+bool ParametricField<Dim>::is_frozen(Index index) const {
+  SEESAW_CHECK_LE(0, index);
+  SEESAW_CHECK_LT(index, static_cast<Index>(frozen_.size()));
+  return frozen_[static_cast<std::size_t>(index)];
+}
+
+template <int Dim>
 Values ParametricField<Dim>::q() const {
   return all()(free_);
 }
@@ -39,7 +46,28 @@ Eigen::MatrixXd ParametricField<Dim>::q_gradients(const PointsRef<Dim>& points) 
   return all_gradients(points)(free_, Eigen::all);
 }
 
+template <int Dim>
+Values ParametricField<Dim>::rates(const PointsRef<Dim>& points,
+                                   const Eigen::Ref<const Values>& q_rates) const {
+  SEESAW_CHECK_EQ(q_rates.size(), parameters());
+  Values rates = Values::Zero(static_cast<Index>(frozen_.size()));
+  rates(free_) = q_rates;
+  return all_rates(points, rates);
+}
+
+template <int Dim>
+Values ParametricField<Dim>::all_rates(const PointsRef<Dim>& points, const Values& rates) const {
+  return all_gradients(points).transpose() * rates;
+}
+
+template <int Dim>
+void append_coordinate_names(const std::string& prefix, std::vector<std::string>& names) {
+  for (int d = 0; d < Dim; ++d) names.push_back(prefix + '.' + "xyz"[d]);
+}
+
 template class ParametricField<2>;
 template class ParametricField<3>;
+template void append_coordinate_names<2>(const std::string&, std::vector<std::string>&);
+template void append_coordinate_names<3>(const std::string&, std::vector<std::string>&);
 
 }  // namespace seesaw
