@@ -107,7 +107,10 @@ PutOn put_on(const Field<3>& field, const PointsRef<3>& positions, const Values&
       }
       if (value < least[i]) {
         least[i] = value;
+        // Where f is flat the first order promises too much: no step longer than half the leash.
         step.col(i) = newton_step(values[column], gradients.col(column));
+        const double length = step.col(i).norm();
+        if (length > 0.5 * leashes[i]) step.col(i) *= 0.5 * leashes[i] / length;
       } else {
         at.col(i) -= step.col(i);  // too far: back, and half as far
         step.col(i) *= 0.5;

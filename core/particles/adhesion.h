@@ -57,8 +57,8 @@ struct PutOn {
 };
 
 /// Newton along the gradient, at most ten steps: a point is `on` when |f| / |grad f| <= its `tolerances` and
-/// it has come no farther than its `leashes`, both N, scene units. A step in which |f| does not shrink is
-/// halved. One evaluation for points that are on already.
+/// it has come no farther than its `leashes`, both N, scene units. A step is at most half the leash, and
+/// halved where |f| does not shrink. One evaluation for points that are on already.
 PutOn put_on(const Field<3>& field, const PointsRef<3>& positions, const Values& leashes,
              const Values& tolerances);
 

@@ -14,8 +14,11 @@ constexpr double longest_step = 0.5;       // along the surface, in radii
 constexpr double longest_following = 0.1;  // along the normal, in diameters: a gradient may be nearly zero
 constexpr double least_pace = 0.02, slower = 0.6, faster = 1.05;
 constexpr double curvature_memory = 0.9;  // a step
-constexpr Index quiet = 100;              // steps
-constexpr double slow = 0.05;             // radii per unit of time
+// A spacing may grow by a sixth from a floater to its neighbor, two radii away. Where it grows faster nothing
+// comes to rest.
+constexpr double grading = 1.0 / 12;
+constexpr Index quiet = 100;   // steps
+constexpr double slow = 0.05;  // radii per unit of time
 
 void shorten(Eigen::Ref<Point<3>> v, double most) {
   const double length = v.norm();
@@ -31,7 +34,10 @@ void Floaters::choose_velocities(const Field<3>& field, const Values& rates) {
   const Points<3> normals = contact_.normals();
   for (Index i = 0; i < size(); ++i)
     if (contact_.definite[static_cast<std::size_t>(i)]) crowd_.normals.col(i) = normals.col(i);
-  sums_ = repulsion(crowd_, {.amplitude = options_.amplitude, .mutual = adaptive});
+  crowd_.scales = options_.turn > 0 ? Values(desired_radii() / desired_radius()) : Values();
+  sums_ = repulsion(
+      crowd_, {.amplitude = options_.amplitude, .mutual = adaptive, .grading = grading / desired_radius()});
+  allowed_ = sums_.allowed;
   tangent_ = along(contact_, sums_.push);
   normal_ = following(contact_, rates, options_.adhesion_gain);
   velocities_ = tangent_ + normal_;
@@ -111,11 +117,12 @@ Values Floaters::slide_speeds() const {
 Values Floaters::desired_radii() const {
   Values result = Values::Constant(size(), desired_radius());
   if (options_.turn > 0)
-    for (Index i = 0; i < size(); ++i)
+    for (Index i = 0; i < size(); ++i) {
       // Neighbors are about two radii apart, and the normal turns by the curvature times that.
-      if (curvature_[i] > 0)
-        result[i] *= std::clamp(options_.turn / (2 * curvature_[i] * desired_radius()),
-                                options_.smallest_fraction, 1.0);
+      const double bend = 2 * curvature_[i] * desired_radius();
+      const double scale = bend > options_.turn ? options_.turn / bend : 1.0;
+      result[i] *= std::max(options_.smallest_fraction, std::min(scale, allowed_[i]));
+    }
   return result;
 }
 

@@ -133,6 +133,7 @@ class Floaters {
 
   Crowd crowd_;
   Points<3> velocities_ = Points<3>(3, 0);
+  Values allowed_;                       // of the scale, by the neighbors'
   Values curvature_;                     // smoothed over steps
   Points<3> home_ = Points<3>(3, 0);     // where each was last on the surface
   Points<3> heading_ = Points<3>(3, 0);  // tangent_ of the step before

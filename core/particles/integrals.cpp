@@ -30,16 +30,15 @@ Values area_shares(const Crowd& crowd) {
       .for_each_leaf([&](std::span<const int> members, std::span<const int> candidates) {
         for (const int i : members) {
           const Point<3> at = crowd.positions.col(i), normal = crowd.normals.col(i);
-          const double square = width[i] * width[i], last = reach * reach * square;
           double sum = 0, weights = 0, turn = 0, bend = 0;
           for (const int j : candidates) {
             const Point<3> r = at - crowd.positions.col(j);
-            const double squared = r.squaredNorm();
-            if (squared > last) continue;
+            const double squared = r.squaredNorm(), square = width[j] * width[j];
+            if (squared > reach * reach * square) continue;
             const Point<3> turned = normal - crowd.normals.col(j);
             const double weight = (i == j ? 1.0 : same_sheet(r, normal, crowd.normals.col(j))) *
                                   std::exp(-0.5 * squared / square);
-            sum += weight;
+            sum += weight / square;
             if (!(squared > 0)) continue;
             weights += weight;
             turn += weight * turned.squaredNorm() / squared;
@@ -50,8 +49,8 @@ Values area_shares(const Crowd& crowd) {
           const double squares = weights > 0 ? 2 * turn / weights : 0,
                        both = weights > 0 ? 2 * bend / weights : 0;
           // The correction is a first term only; where it is not small it must not run away.
-          const double excess = square * std::max(0.0, 2 * squares - both * both) / 8;
-          shares[i] = whole * square / sum * (1 + excess / (1 + 2 * excess));
+          const double excess = width[i] * width[i] * std::max(0.0, 2 * squares - both * both) / 8;
+          shares[i] = whole / sum * (1 + excess / (1 + 2 * excess));
         }
       });
   return shares;

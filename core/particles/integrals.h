@@ -3,13 +3,15 @@
 // Before it: floaters at rest.  After it: numbers beside those of core/mesh/mesh_check.h.
 //
 // Each floater stands for a share of the area: one over the density of floaters around it. The density is
-// estimated by Gaussians of a width h_i that suits the spacing there,
+// estimated by Gaussians, each as wide as the spacing of its own floater suggests,
 //
-//     share_i = 2 pi h_i^2 / sum_j w_ij exp(-|p_i - p_j|^2 / (2 h_i^2)),      j = i included
+//     share_i = 1 / sum_j w_ij exp(-|p_i - p_j|^2 / (2 h_j^2)) / (2 pi h_j^2),      j = i included
 //
-// with w_ij of same_sheet.h. In a hexagonal packing the sum is the integral over the plane divided by the
-// area of a cell, to five digits at h_i = 0.75 spacings. Distances are chords. To second order in h, with
-// principal curvatures k1 and k2, that makes the sum too large by the factor
+// with w_ij of same_sheet.h. (Each its *own*: where density varies and h goes as its inverse root, this rule
+// has no error of second order in h, Abramson 1982; one width h_i for all would find every floater of a
+// graded crowd too lonely or too crowded by a few percent.) In a hexagonal packing the sum is the integral
+// over the plane divided by the area of a cell, to five digits at h = 0.75 spacings. Distances are chords. To
+// second order in h, with principal curvatures k1 and k2, that makes the sum too large by the factor
 //
 //     1 + h^2 (k1 - k2)^2 / 8
 //

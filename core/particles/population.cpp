@@ -112,6 +112,7 @@ void Floaters::add(const Points<3>& positions, const Points<3>& normals, double 
   append_number(crowd_.radii, radius);
   append_number(curvature_, 0.0);
   append_number(pace_, 1.0);
+  append_number(allowed_, 1.0);
   astray_.conservativeResize(before + more);
   astray_.tail(more).setZero();
 }
@@ -123,6 +124,7 @@ void Floaters::select(const std::vector<Index>& sources) {
   rows(crowd_.radii);
   rows(curvature_);
   rows(pace_);
+  rows(allowed_);
   rows(astray_);
 }
 
@@ -209,6 +211,7 @@ void Floaters::carry_out(const Field<3>& field, const std::vector<Fate>& fate) {
     children.push_back(-1);
   }
   select(sources);
+  crowd_.scales.resize(0);
   for (Index i = 0; i < size(); ++i) {
     const Index child = children[static_cast<std::size_t>(i)];
     if (child < 0) continue;

@@ -1,5 +1,6 @@
 #include "core/particles/repulsion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -16,7 +17,7 @@ namespace {
 // What one floater collects.
 struct Sum {
   Point<3> push = Point<3>::Zero();
-  double own = 0, others = 0, moment = 0, turn = 0;
+  double own = 0, others = 0, moment = 0, turn = 0, allowed = 1;
 };
 
 void add_pair(const Crowd& crowd, const RepulsionOptions& options, Index i, Index j, double squared,
@@ -24,21 +25,28 @@ void add_pair(const Crowd& crowd, const RepulsionOptions& options, Index i, Inde
   const Point<3> r = crowd.positions.col(i) - crowd.positions.col(j);
   const double weight = same_sheet(r, crowd.normals.col(i), crowd.normals.col(j));
   if (weight == 0) return;
+  const bool graded = crowd.scales.size() > 0;
+  const double ti = graded ? crowd.scales[i] : 1.0, tj = graded ? crowd.scales[j] : 1.0;
+  const double stretch = 2 / (ti + tj), stretched = squared * stretch * stretch;
+  const double si = crowd.radii[i] * crowd.radii[i] / (ti * ti);
+  const double sj = crowd.radii[j] * crowd.radii[j] / (tj * tj);
   constexpr double last = repulsion_reach * repulsion_reach;
-  const double si = crowd.radii[i] * crowd.radii[i], sj = crowd.radii[j] * crowd.radii[j];
   const double scale = weight * options.amplitude;
-  const double mine = squared <= last * si ? scale * std::exp(-0.5 * squared / si) : 0.0;
-  const double theirs = options.mutual && squared <= last * sj ? scale * std::exp(-0.5 * squared / sj) : 0.0;
-  sum.push += (mine + si / sj * theirs) * r;
+  const double mine = stretched <= last * si ? scale * std::exp(-0.5 * stretched / si) : 0.0;
+  const double theirs =
+      options.mutual && stretched <= last * sj ? scale * std::exp(-0.5 * stretched / sj) : 0.0;
+  sum.push += stretch * ti * std::sqrt(tj / ti) * (mine + si / sj * theirs) * r;
   sum.own += mine;
   sum.others += theirs;
-  sum.moment += squared * mine;
+  if (graded) sum.allowed = std::min(sum.allowed, tj + options.grading * std::sqrt(squared));
+  sum.moment += stretched * mine * ti * ti;
   if (squared > 0)
     sum.turn += (mine + theirs) * (crowd.normals.col(i) - crowd.normals.col(j)).squaredNorm() / squared;
 }
 
 PairSums room_for(Index n) {
-  return {Points<3>::Zero(3, n), Values::Zero(n), Values::Zero(n), Values::Zero(n), Values::Zero(n)};
+  return {Points<3>::Zero(3, n), Values::Zero(n), Values::Zero(n),
+          Values::Zero(n),       Values::Zero(n), Values::Ones(n)};
 }
 
 void write(const Crowd& crowd, Index i, const Sum& sum, PairSums& sums) {
@@ -46,6 +54,7 @@ void write(const Crowd& crowd, Index i, const Sum& sum, PairSums& sums) {
   sums.push.col(i) = sum.push;
   sums.energy[i] = all;
   sums.own[i] = sum.own;
+  sums.allowed[i] = sum.allowed;
   sums.own_slope[i] = sum.moment / (radius * radius * radius);
   sums.curvature[i] = all > 0 ? std::sqrt(2 * sum.turn / all) : 0.0;
 }
@@ -53,6 +62,7 @@ void write(const Crowd& crowd, Index i, const Sum& sum, PairSums& sums) {
 void check(const Crowd& crowd) {
   SEESAW_CHECK_EQ(crowd.positions.cols(), crowd.normals.cols());
   SEESAW_CHECK_EQ(crowd.positions.cols(), crowd.radii.size());
+  if (crowd.scales.size() > 0) SEESAW_CHECK_EQ(crowd.scales.size(), crowd.radii.size());
 }
 
 // One leaf's candidates, coordinate by coordinate, so that distances are computed several at a time.
@@ -108,10 +118,11 @@ PairSums repulsion_of_all_pairs(const Crowd& crowd, const RepulsionOptions& opti
   parallel_blocks(n, 16, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
       Sum sum;
-      for (Index j = 0; j < n; ++j)
-        if (j != i)
-          add_pair(crowd, options, i, j, (crowd.positions.col(i) - crowd.positions.col(j)).squaredNorm(),
-                   sum);
+      for (Index j = 0; j < n; ++j) {
+        const double squared = (crowd.positions.col(i) - crowd.positions.col(j)).squaredNorm();
+        const double reach = repulsion_reach * std::max(crowd.radii[i], crowd.radii[j]);
+        if (j != i && squared <= reach * reach) add_pair(crowd, options, i, j, squared, sum);
+      }
       write(crowd, i, sum, sums);
     }
   });
