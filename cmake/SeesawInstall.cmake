@@ -1,4 +1,4 @@
-# cmake --install puts programs in bin, libraries in lib, headers in include/seesaw, scenes and models in share/seesaw;
+# cmake --install puts programs in bin, libraries in lib, headers in include/seesaw, scenes, sessions and models in share/seesaw;
 # a program elsewhere then says
 #     find_package(Seesaw REQUIRED)
 #     target_link_libraries(mine PRIVATE Seesaw::rbf)          and     #include <core/rbf/fit.h>
@@ -16,7 +16,7 @@ foreach(program IN ITEMS seesaw figures)
     install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   endif()
 endforeach()
-install(DIRECTORY figures/scenes figures/data DESTINATION ${CMAKE_INSTALL_DATADIR}/seesaw)
+install(DIRECTORY figures/scenes figures/sessions figures/data DESTINATION ${CMAKE_INSTALL_DATADIR}/seesaw)
 
 file(WRITE ${PROJECT_BINARY_DIR}/SeesawConfig.cmake.in [[
 @PACKAGE_INIT@
