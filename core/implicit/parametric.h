@@ -35,7 +35,7 @@ class ParametricField : public Field<Dim> {
   void set_q(const Eigen::Ref<const Values>& q);
 
   /// Column i of the result is f_q at points.col(i): m x N, value per unit of the parameter. `points` Dim x
-  /// N. Called from many threads at once.
+  /// N. One caller at a time for this and `rates`, unlike `evaluate`: an interpolant solves for it.
   Eigen::MatrixXd q_gradients(const PointsRef<Dim>& points) const;
   /// f_t = f_q . q' at points.col(i), N, value per unit of time: how fast f changes where floaters are, while
   /// the parameters move at `q_rates` (m). Shapes whose f_q is long may know a way that never makes f_q.
