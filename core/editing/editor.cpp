@@ -37,7 +37,7 @@ void Editor<Dim>::changed() {
 template <int Dim>
 Outcome Editor<Dim>::after(const Command<Dim>& command, Outcome outcome) {
   if (outcome.changed) changed();
-  if (listener_) listener_(command);
+  if (listener_) listener_(command, *this);
   return outcome;
 }
 

@@ -68,11 +68,16 @@ struct EditorOptions {
   bool solve_at_once = true;
 };
 
+/// It can be moved but not copied: two histories would tell one listener.
 template <int Dim>
 class Editor {
  public:
+  using Listener = std::function<void(const Command<Dim>&, const Editor&)>;
+
   /// Takes any document, also one without constraints or with an impossible set. With solve_at_once, solves.
   explicit Editor(Document<Dim> document, EditorOptions<Dim> options = {});
+  Editor(Editor&&) = default;
+  Editor& operator=(Editor&&) = default;
 
   const Document<Dim>& document() const { return document_; }
   /// How many constraints there are.
@@ -119,7 +124,7 @@ class Editor {
 
   /// Called after every command that did something, with the command as a replay wants it: actions that asked
   /// the shape a question are answered. One listener; an empty function for none.
-  void listen(std::function<void(const Command<Dim>&)> listener) { listener_ = std::move(listener); }
+  void listen(Listener listener) { listener_ = std::move(listener); }
 
  private:
   void changed();
@@ -131,7 +136,7 @@ class Editor {
   Shape<Dim> shape_;
   std::uint64_t revision_ = 0;
   bool solved_ = false;
-  std::function<void(const Command<Dim>&)> listener_;
+  Listener listener_;
 };
 
 extern template class Editor<2>;

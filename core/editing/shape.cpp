@@ -1,5 +1,7 @@
 #include "core/editing/shape.h"
 
+#include <new>
+
 namespace seesaw {
 
 template <int Dim>
@@ -12,6 +14,12 @@ void solve(Shape<Dim>& shape, const Document<Dim>& document, std::uint64_t revis
              std::nullopt};
   } catch (const ConstraintError& error) {
     shape.impossible = Impossible{error.reason(), error.what(), error.culprits()};
+  } catch (const std::bad_alloc&) {
+    shape.impossible =
+        Impossible{std::nullopt,
+                   "there is not enough memory to solve for " + std::to_string(document.constraints.size()) +
+                       " constraints; delete some",
+                   {}};
   }
 }
 

@@ -28,7 +28,8 @@ using Solver = std::function<Fit<Dim>(const Constraints<Dim>&, const FitOptions&
 
 /// Why the present constraints have no function.
 struct Impossible {
-  ConstraintError::Reason reason = ConstraintError::Reason::none_given;
+  /// None where there may be one, but not in this computer's memory.
+  std::optional<ConstraintError::Reason> reason = std::nullopt;
   /// One sentence for a person.
   std::string message;
   /// Indices into the document's constraints, ascending.

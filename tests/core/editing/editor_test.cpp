@@ -277,6 +277,23 @@ TYPED_TEST(Actions, ImpossibleSetsKeepTheLastGoodShapeAndNameTheCulprits) {
   EXPECT_TRUE(editor.shape().current());
 }
 
+TEST(Editor, KeepsTheLastGoodShapeWhenMemoryEnds) {
+  EditorOptions<2> options;
+  options.solver = [](const Constraints<2>& c, const FitOptions& o) {
+    if (c.size() > 12) throw std::bad_alloc();
+    return fit<2>(c, o);
+  };
+  Editor<2> editor(start_document<2>(), options);
+  const auto good = editor.shape().function;
+  editor.apply(Add<2>{{{boundary<2>({0.5, 0.5})}}});
+  ASSERT_TRUE(editor.shape().impossible);
+  EXPECT_FALSE(editor.shape().impossible->reason);
+  EXPECT_THAT(editor.shape().impossible->message, HasSubstr("memory to solve for 13 constraints"));
+  EXPECT_EQ(editor.shape().function, good);
+  editor.undo();
+  EXPECT_TRUE(editor.shape().current());
+}
+
 TEST(Editor, WithoutAShapeSaysSo) {
   Editor<2> editor{Document<2>{}};
   EXPECT_EQ(editor.shape().function, nullptr);
@@ -361,7 +378,9 @@ TEST(Editor, TellsItsListenerWhatAReplayWants) {
   Editor<3> editor(start_document<3>());
   std::vector<std::string> heard;
   Command<3> last;
-  editor.listen([&](const Command<3>& command) { heard.push_back(name_of<3>(command)), last = command; });
+  editor.listen([&](const Command<3>& command, const Editor<3>&) {
+    heard.push_back(name_of<3>(command)), last = command;
+  });
   editor.apply(AddOnSurface<3>{{0, 0, 9}, {0, 0, -1}});
   EXPECT_TRUE(std::holds_alternative<Add<3>>(std::get<Action<3>>(last))) << "the answer, not the question";
   editor.apply(AddNormal{12});

@@ -84,6 +84,21 @@ class Monkey {
   Random random_;
 };
 
+/// Nothing is touched in secret: what is left of `after` without `touched` was in `before`, in that order.
+template <int Dim>
+bool rest_is_old(const Document<Dim>& before, const Document<Dim>& after, const std::vector<Index>& touched) {
+  std::size_t old = 0, t = 0;
+  for (std::size_t i = 0; i < after.constraints.size(); ++i) {
+    if (t < touched.size() && touched[t] == static_cast<Index>(i)) {
+      ++t;
+      continue;
+    }
+    while (old < before.constraints.size() && !(before.constraints[old] == after.constraints[i])) ++old;
+    if (old++ == before.constraints.size()) return false;
+  }
+  return true;
+}
+
 struct Dimension2 {
   static constexpr int dim = 2;
 };
@@ -105,7 +120,8 @@ TYPED_TEST(RandomActions, KeepWhatMustHold) {
   int refused = 0, changed = 0, impossible = 0;
   for (int i = 0; i < 10'000; ++i) {
     const Command<D> command = monkey.next(editor);
-    const std::string before = bits_of(editor.document());
+    const Document<D> document = editor.document();
+    const std::string before = bits_of(document);
     const auto revision = editor.revision();
     const auto good = editor.shape().function;
     try {
@@ -116,6 +132,7 @@ TYPED_TEST(RandomActions, KeepWhatMustHold) {
         ASSERT_LT(outcome.touched[k], editor.size()) << i;
         ASSERT_LT(k ? outcome.touched[k - 1] : Index{-1}, outcome.touched[k]) << i;
       }
+      ASSERT_TRUE(rest_is_old<D>(document, editor.document(), outcome.touched)) << i;
     } catch (const Refused& error) {
       ++refused;
       ASSERT_EQ(bits_of(editor.document()), before) << i << ": " << error.what();
