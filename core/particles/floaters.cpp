@@ -40,6 +40,7 @@ void Floaters::choose_velocities(const Field<3>& field, const Values& rates) {
   allowed_ = sums_.allowed;
   tangent_ = along(contact_, sums_.push);
   normal_ = following(contact_, rates, options_.adhesion_gain);
+  carried_ = rates.size() > 0 ? following(contact_, rates, 0) : Points<3>(Points<3>::Zero(3, size()));
   velocities_ = tangent_ + normal_;
   curvature_ = curvature_memory * curvature_ + (1 - curvature_memory) * sums_.curvature;
 }
@@ -51,9 +52,11 @@ void Floaters::move(const Field<3>& field) {
   const Values desired = desired_radii();
   Ways ways = {crowd_.positions, crowd_.normals, dt * tangent_, desired, desired};
   for (Index i = 0; i < size(); ++i) {
-    Point<3> following = dt * normal_.col(i);
-    // An astray floater has nothing but its feedback to go by, and that may point anywhere.
-    shorten(following, astray_[i] > 0 ? desired[i] : longest_following * diameter_);
+    // Feedback alone may promise anything: far from the surface first order is no guide.
+    Point<3> following = dt * carried_.col(i), feedback = dt * (normal_.col(i) - carried_.col(i));
+    shorten(following, astray_[i] > 0 ? 0.0 : longest_following * diameter_);
+    shorten(feedback, 0.5 * desired[i]);
+    following += feedback;
     pace_[i] = tangent_.col(i).dot(heading_.col(i)) < 0 ? std::max(least_pace, slower * pace_[i])
                                                         : std::min(1.0, faster * pace_[i]);
     ways.by.col(i) *= pace_[i];

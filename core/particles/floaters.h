@@ -68,7 +68,7 @@ class Floaters {
   Floaters(const Field<3>& field, const PointsRef<3>& seeds, const FloaterOptions& options = {});
 
   /// Further floaters at those of `points` (3 x N) that are within a desired radius of f = 0, and that no
-  /// floater of the same sheet is near: two of its radii, or two desired ones. Returns how many. To be called
+  /// floater of the same sheet is near: two desired radii, or two of its own. Returns how many. To be called
   /// after an edit that may have made new components.
   Index seed(const Field<3>& field, const PointsRef<3>& points);
 
@@ -144,6 +144,7 @@ class Floaters {
   Contact contact_;
   PairSums sums_;
   Points<3> tangent_ = Points<3>(3, 0), normal_ = Points<3>(3, 0);
+  Points<3> carried_ = Points<3>(3, 0);  // the part of normal_ that is the surface's motion
 };
 
 }  // namespace seesaw

@@ -60,7 +60,8 @@ Index Floaters::seed(const Field<3>& field, const PointsRef<3>& points) {
                            Values::Constant(points.cols(), walk_tolerance * leash));
   // In the first generation of global fissioning the radius must let a few floaters feel each other: the
   // paper's 0.3 sqrt(area / number), with the area of a sphere of this diameter.
-  const double first = options_.repulsion == Repulsion::adaptive ? desired_radius()
+  const bool adaptive = options_.repulsion == Repulsion::adaptive;
+  const double first = adaptive ? desired_radius()
                        : options_.repulsion == Repulsion::simple && options_.simple_radius > 0
                            ? options_.simple_radius * diameter_
                            : 0.3 * std::sqrt(std::numbers::pi) * diameter_;
@@ -74,7 +75,8 @@ Index Floaters::seed(const Field<3>& field, const PointsRef<3>& points) {
       return same_sheet(at - crowd_.positions.col(i), normal, crowd_.normals.col(i)) > 0.5;
     };
     const auto near = [&](Index i) {
-      const double spacing = seed_spacing * std::max(crowd_.radii[i], desired_radius());
+      const double spacing =
+          seed_spacing * (adaptive ? std::max(crowd_.radii[i], desired_radius()) : desired_radius());
       return (at - crowd_.positions.col(i)).squaredNorm() < spacing * spacing && on_sheet(i);
     };
     bool taken = neighbors.nearest_squared(at, -1, [&](int i) { return near(i); }) < INFINITY;

@@ -17,6 +17,8 @@
 // smooth between, since a jump would shake the floaters. A right-angled edge counts one half: floaters on
 // both sides of it still keep apart. What a floater loses are partners more than 120 degrees around a limb
 // that is thin for its radius; there only a few would fit anyway.
+// Along a valley sharper than 70 degrees floaters of its two sides do not feel each other and still cross it:
+// there a few are born and die all the time.
 #pragma once
 
 #include <algorithm>
