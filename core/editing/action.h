@@ -97,11 +97,19 @@ struct SetNormal {
 };
 
 /// Turns a normal, as by dragging the free end of its spike: `direction` is outward, of any length but zero.
-/// Offset and value stay.
+/// The offset stays, and the value where none is given.
+///
+/// The surface follows, but how far? One value beside the surface asks for the slope of f along the spike,
+/// not for the direction of grad f. Turned by an angle t from a normal that changed nothing, it asks grad f =
+/// g for only |g| (1 - cos t) more along the new direction, and f obliges by as little as that: on the torus
+/// of the papers' Fig. 7 a spike turned by 30 degrees turns the surface by 4. With ten times the value grad f
+/// is mostly the constraint's own doing, and the surface turns by 26 (by less where no other constraints hold
+/// it nearby). So an editor may let the length of the spike be the value, and let it grow as it is dragged.
 template <int Dim>
 struct TurnNormal {
   Index which = 0;
   Point<Dim> direction = Point<Dim>::UnitX();
+  std::optional<double> value = std::nullopt;
 };
 
 struct RemoveNormal {

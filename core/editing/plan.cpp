@@ -77,6 +77,7 @@ class Planner {
       if (!each.constraint.normal)
         refuse(words_for(static_cast<std::size_t>(turn.which)) + " has no normal: add one first");
       each.constraint.normal->direction = turn.direction;
+      if (turn.value) each.constraint.normal->value = *turn.value;
     });
   }
   Change<Dim> operator()(const RemoveNormal& remove) const {

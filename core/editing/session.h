@@ -22,7 +22,7 @@
 //     move {which, by}           move_to {which, to}           delete {which}
 //     set_value {which, value}   set_kind {which, kind, (value)}
 //     add_normal {which, (offset)}   set_normal {which, normal, offset, value}
-//     turn_normal {which, direction} remove_normal {which}
+//     turn_normal {which, direction, (value)}   remove_normal {which}
 //     set_kernel {kernel}        set_smoothing {smoothing}     restore {document}
 //     begin  end  cancel  undo  redo  label {text}
 // `which` is an index, or an array of indices where core/editing/action.h has several. A recorder writes the

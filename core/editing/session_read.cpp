@@ -105,6 +105,13 @@ SetKind set_kind_of(Strict& s) {
   return set;
 }
 
+template <int Dim>
+TurnNormal<Dim> turn_normal_of(Strict& s) {
+  TurnNormal<Dim> turn{s.index(), s.point<Dim>("direction"), std::nullopt};
+  if (const auto value = s.find("value")) turn.value = value->number();
+  return turn;
+}
+
 AddNormal add_normal_of(Strict& s) {
   AddNormal add{s.index(), std::nullopt};
   if (const auto offset = s.find("offset")) add.offset = offset->number();
@@ -132,10 +139,7 @@ const auto& readers() {
        [](Strict& s) -> Command<Dim> {
          return A(SetNormal<Dim>{s.index(), {s.point<Dim>("normal"), s.number("offset"), s.number("value")}});
        }},
-      {"turn_normal",
-       [](Strict& s) -> Command<Dim> {
-         return A(TurnNormal<Dim>{s.index(), s.point<Dim>("direction")});
-       }},
+      {"turn_normal", [](Strict& s) -> Command<Dim> { return A(turn_normal_of<Dim>(s)); }},
       {"remove_normal", [](Strict& s) -> Command<Dim> { return A(RemoveNormal{s.indices()}); }},
       {"set_kernel",
        [](Strict& s) -> Command<Dim> {

@@ -74,7 +74,11 @@ class Writer {
     number("offset", a.normal.offset);
     number("value", a.normal.value);
   }
-  void operator()(const TurnNormal<Dim>& a) { which(a.which), point("direction", a.direction); }
+  void operator()(const TurnNormal<Dim>& a) {
+    which(a.which);
+    point("direction", a.direction);
+    if (a.value) number("value", *a.value);
+  }
   void operator()(const RemoveNormal& a) { which(a.which); }
   void operator()(const SetKernel& a) { add("kernel", json_string(name_of(a.kernel))); }
   void operator()(const SetSmoothing& a) { number("smoothing", a.smoothing); }

@@ -120,6 +120,9 @@ TYPED_TEST(Actions, DoWhatTheySay) {
   EXPECT_EQ(at(0).constraint.normal->direction, (-2 * Point<D>::UnitY()).eval());
   EXPECT_EQ(at(0).constraint.normal->offset, 0.5);
   EXPECT_EQ(at(0).constraint.normal->value, 3);
+  editor.apply(TurnNormal<D>{0, Point<D>::UnitX(), 5});
+  EXPECT_EQ(at(0).constraint.normal->direction, Point<D>(Point<D>::UnitX()));
+  EXPECT_EQ(at(0).constraint.normal->value, 5);
   editor.apply(SetKind{{0}, ConstraintKind::interior});
   EXPECT_FALSE(at(0).constraint.normal) << "an interior constraint has no normal";
   editor.apply(SetKernel{Kernel::linear});
@@ -152,6 +155,7 @@ TYPED_TEST(Actions, AreRefusedWholeAndSayWhy) {
   expect(SetNormal<D>{0, {zero, 0.01, 1}}, "set_normal: constraint 0: normal: the zero vector");
   expect(SetNormal<D>{6, {x, 0.01, 1}}, "set_normal: constraint 6 is exterior");
   expect(TurnNormal<D>{0, x}, "turn_normal: constraint 0 has no normal");
+  expect(SetNormal<D>{0, {x, std::nan(""), 1}}, "set_normal: constraint 0: offset: ");
   expect(AddNormal{7}, "add_normal: constraint 7 is exterior");
   expect(AddNormal{70}, "add_normal: constraint 70 does not exist");
   expect(AddNormal{0, 0.0}, "add_normal: offset: expected a number other than 0");

@@ -27,7 +27,7 @@ class Monkey {
     if (what < 65) return Action<Dim>(AddNormal{one(n)});
     if (what < 70)
       return Action<Dim>(SetNormal<Dim>{one(n), {number() * random_.direction<Dim>(), number(), number()}});
-    if (what < 76) return Action<Dim>(TurnNormal<Dim>{one(n), number() * random_.direction<Dim>()});
+    if (what < 76) return Action<Dim>(TurnNormal<Dim>{one(n), number() * random_.direction<Dim>(), maybe()});
     if (what < 80) return Action<Dim>(RemoveNormal{some(n)});
     if (what < 86) return Action<Dim>(SetKind{some(n), kind(), std::nullopt});
     if (what < 92) return Action<Dim>(SetValue{some(n), number()});
@@ -64,6 +64,10 @@ class Monkey {
   double number() {
     const double all[] = {1, -1, 0.5, 0.01, 0, -0.0, 1e-12, 1e12, 1.0 / 3};
     return random_.index(2) ? random_.normal() : all[random_.index(9)];
+  }
+  std::optional<double> maybe() {
+    if (random_.index(2)) return std::nullopt;
+    return number();
   }
   ConstraintKind kind() { return static_cast<ConstraintKind>(random_.index(3)); }
   Point<Dim> toward() {

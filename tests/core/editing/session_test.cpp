@@ -32,6 +32,7 @@ Session<Dim> recorded(std::string& end) {
   editor.end_gesture();
   editor.apply(AddNormal{1});
   editor.apply(TurnNormal<Dim>{1, random.direction<Dim>()});
+  editor.apply(TurnNormal<Dim>{1, random.direction<Dim>(), 2.0 / 3});
   editor.apply(MoveTo<Dim>{2, random.direction<Dim>() / 3});
   editor.apply(SetKind{{3, 1}, ConstraintKind::interior, 1.0 / 3});
   editor.apply(SetKind{{3}, ConstraintKind::exterior});
