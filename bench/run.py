@@ -11,8 +11,8 @@ and, where they differ by more than a tenth, the smallest and the largest. Absol
 this minute's; ratios travel better. On one core, times are processor time, so that other programs do not count; on
 all cores they are wall time, so let the machine be idle: a row is not judged ("busy") where others took a tenth of it.
 
-How to add a benchmark. In C++: a round in bench/fit.cpp, evaluate.cpp, extract.cpp or trace.cpp, whose contestants each call
-`turns.take("name", work)` (bench/turns.h), and here a `table.row` that reads that counter from `rounds`. A
+How to add a benchmark. In C++: a round in bench/fit.cpp, evaluate.cpp, extract.cpp, trace.cpp or particles.cpp, whose
+contestants each call `turns.take("name", work)` (bench/turns.h), and here a `table.row` that reads that counter from `rounds`. A
 contestant in Python is a function in bench/scipy_side.py. What may be compared: the same data, the same number of
 threads, the same turn.
 
@@ -232,12 +232,40 @@ def tracing_section(table, quick):
                 median([r["heuristic_evaluations"] for r in rounds]), None)
 
 
+def particles_section(table, quick):
+    """A step of floaters: linear in their number, and the paper's way beside it in the same rounds."""
+    counts = [100] if quick else [100, 300, 1000, 3000, 5000, 10000, 20000]
+    one, everything = contestants.one_core(), contestants.all_cores()
+    for cores in [one] + ([everything] if everything.count > 1 and not quick else []):
+        table.section(f"FLOATERS on {cores.words}", "a step on an interpolating surface of 100 constraints. Theirs, "
+                      "unless said: the same step with Witkin & Heckbert's O(r^2) repulsion")
+        every = {}
+        for count in counts:
+            rounds = every[count] = contestants.rounds("bench_particles", f"floaters/{count}", cores, 1 if quick else 3)
+            table.head(f"{rounds[0]['floaters']:.0f} floaters", others_on(cores, rounds))
+            steps = [r["step"] for r in rounds]
+            table.speedup("step / with all pairs", steps,
+                          [r["step"] - r["repulsion"] + r["all_pairs"] for r in rounds], None)
+            if count == 5000:
+                table.times("step / 16 ms", steps, [0.016] * len(steps), at_most(1.0) if cores.count == 2 else None)
+            table.share("repulsion / step", [r["repulsion"] for r in rounds], steps)
+        if len(every) > 1:
+            per_floater = {count: [r["step"] / r["floaters"] for r in rounds] for count, rounds in every.items()}
+            table.head("linear: a floater's share of a step", others_on(cores, every[20000]))
+            table.times("among 20,000 / among 1,000", per_floater[20000], per_floater[1000], at_most(1.5))
+        rounds = contestants.rounds("bench_particles", "drag/150", cores, 1 if quick else 3)
+        table.head(f"{rounds[0]['floaters']:.0f} floaters on two blobby spheres that are dragged",
+                   others_on(cores, rounds))
+        table.speedup("step / the paper's 150 at 10 Hz", [r["step"] for r in rounds], [0.1] * len(rounds), None)
+
+
 def main():
     parser = argparse.ArgumentParser(description="Seesaw's benchmarks, as a table with ratios and aims")
     parser.add_argument("--quick", action="store_true", help="a few seconds: only to see that everything runs")
     parser.add_argument("--full", action="store_true", help="also N = 6000")
     parser.add_argument("--programs", default=HERE.parent / "build/release/bin", type=pathlib.Path,
-                        help="where bench_fit, bench_evaluate, bench_extract, bench_trace and bench_memory are")
+                        help="where bench_fit, bench_evaluate, bench_extract, bench_trace, bench_particles and "
+                        "bench_memory are")
     options = parser.parse_args()
     contestants.PROGRAMS = options.programs
 
@@ -256,6 +284,7 @@ def main():
         threads_section(table, 1 if options.quick else 5)
     extraction_section(table, 1 if options.quick else 5)
     tracing_section(table, options.quick)
+    particles_section(table, options.quick)
     table.summary(machine.load())
 
 

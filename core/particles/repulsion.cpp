@@ -68,9 +68,11 @@ void check(const Crowd& crowd) {
 // One leaf's candidates, coordinate by coordinate, so that distances are computed several at a time.
 struct Table {
   std::vector<double> x, y, z, reach, squared;
+  std::vector<std::size_t> found;
 
   void fill(const Crowd& crowd, std::span<const int> candidates) {
     for (std::vector<double>* column : {&x, &y, &z, &reach, &squared}) column->resize(candidates.size());
+    found.resize(candidates.size());
     for (std::size_t k = 0; k < candidates.size(); ++k) {
       const Index j = candidates[k];
       x[k] = crowd.positions(0, j), y[k] = crowd.positions(1, j), z[k] = crowd.positions(2, j);
@@ -87,6 +89,16 @@ struct Table {
       out[k] = dx * dx + dy * dy + dz * dz;
     }
   }
+  // Those whose squared distance is at most their own squared reach, or `most`. No branch: a processor could
+  // only guess it.
+  std::span<const std::size_t> within(double most) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < squared.size(); ++k) {
+      found[count] = k;
+      count += squared[k] <= std::max(most, reach[k]);
+    }
+    return {found.data(), count};
+  }
 };
 
 }  // namespace
@@ -102,9 +114,8 @@ PairSums repulsion(const Crowd& crowd, const RepulsionOptions& options) {
       table.measure(crowd.positions.col(i));
       const double reach = repulsion_reach * repulsion_reach * crowd.radii[i] * crowd.radii[i];
       Sum sum;
-      for (std::size_t k = 0; k < candidates.size(); ++k)
-        if (table.squared[k] <= std::max(reach, table.reach[k]) && candidates[k] != i)
-          add_pair(crowd, options, i, candidates[k], table.squared[k], sum);
+      for (const std::size_t k : table.within(reach))
+        if (candidates[k] != i) add_pair(crowd, options, i, candidates[k], table.squared[k], sum);
       write(crowd, i, sum, sums);
     }
   });
