@@ -2,6 +2,7 @@
 
 #include "core/editing/plan.h"
 #include "core/editing/resolve.h"
+#include "core/scene/document_rules.h"
 
 namespace seesaw {
 
@@ -17,6 +18,7 @@ const char* name_of(const Command<Dim>& command) {
 template <int Dim>
 Editor<Dim>::Editor(Document<Dim> document, EditorOptions<Dim> options)
     : options_(std::move(options)), document_(std::move(document)) {
+  if (const auto fault = fault_of(document_)) throw Error(fault->key + ": " + fault->message);
   if (options_.solve_at_once) shape();
 }
 

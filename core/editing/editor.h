@@ -74,7 +74,8 @@ class Editor {
  public:
   using Listener = std::function<void(const Command<Dim>&, const Editor&)>;
 
-  /// Takes any document, also one without constraints or with an impossible set. With solve_at_once, solves.
+  /// Also without constraints or with an impossible set. With solve_at_once, solves. Throws Error for a
+  /// smoothing that is none (below 0, not a number).
   explicit Editor(Document<Dim> document, EditorOptions<Dim> options = {});
   Editor(Editor&&) = default;
   Editor& operator=(Editor&&) = default;

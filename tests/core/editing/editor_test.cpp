@@ -298,6 +298,12 @@ TEST(Editor, KeepsTheLastGoodShapeWhenMemoryEnds) {
   EXPECT_TRUE(editor.shape().current());
 }
 
+TEST(Editor, RefusesASmoothingThatIsNone) {
+  Document<3> document = start_document<3>();
+  document.smoothing = -1;
+  EXPECT_THROW(Editor<3>{document}, Error);
+}
+
 TEST(Editor, WithoutAShapeSaysSo) {
   Editor<2> editor{Document<2>{}};
   EXPECT_EQ(editor.shape().function, nullptr);
