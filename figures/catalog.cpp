@@ -8,6 +8,8 @@ Figure turk2002_fig03(const FigureContext&);
 Figure turk2002_fig04(const FigureContext&);
 Figure turk2002_fig05(const FigureContext&);
 Figure turk2002_fig06(const FigureContext&);
+Figure turk2002_fig07(const FigureContext&);
+Figure turk2002_fig08(const FigureContext&);
 Figure turk2002_fig09(const FigureContext&);
 Figure turk2002_fig10(const FigureContext&);
 Figure seesaw_figure(const FigureContext&);
@@ -19,6 +21,7 @@ Figure blend_bulge(const FigureContext&);
 Figure interference_figure(const FigureContext&);
 Figure sphere_tracing(const FigureContext&);
 Figure bunny_timing(const FigureContext&);
+Figure fission_figure(const FigureContext&);
 
 const std::vector<FigureEntry>& catalog() {
   static const std::vector<FigureEntry> entries = {
@@ -28,6 +31,8 @@ const std::vector<FigureEntry>& catalog() {
       {"turk2002-fig04", "curves inside a cage of exterior constraints", turk2002_fig04},
       {"turk2002-fig05", "one normal constraint bends a curve", turk2002_fig05},
       {"turk2002-fig06", "the bunny, polygons and the surface through them", turk2002_fig06},
+      {"turk2002-fig07", "a ball, and a torus sculpted from it", turk2002_fig07},
+      {"turk2002-fig08", "a normal constraint is turned", turk2002_fig08},
       {"turk2002-fig09", "three tori, blended", turk2002_fig09},
       {"turk2002-fig10", "two surfaces ray traced, and constructive solid geometry", turk2002_fig10},
       {"seesaw", "each boundary constraint acts much like a see-saw", seesaw_figure},
@@ -39,6 +44,7 @@ const std::vector<FigureEntry>& catalog() {
       {"interference", "two solids moved together: where they interfere", interference_figure},
       {"sphere-tracing", "sphere tracing by samples and by proven bounds", sphere_tracing},
       {"bunny-timing", "solving and extracting the bunny, then and now", bunny_timing},
+      {"fission", "repulsion, global fissioning and adaptive repulsion from one place", fission_figure},
   };
   return entries;
 }

@@ -70,8 +70,9 @@ class MissingPackage : public Error {
 
 /// What every figure is given.
 struct FigureContext {
-  std::filesystem::path scenes;  ///< the folder of scene files
-  std::filesystem::path data;    ///< the folder of polygon models
+  std::filesystem::path scenes;    ///< the folder of scene files
+  std::filesystem::path data;      ///< the folder of polygon models
+  std::filesystem::path sessions;  ///< the folder of recorded editing sessions
   /// Of ray-traced pictures; drawings are sharp at any size.
   double pixels_per_point = 2;
   Progress progress = {};

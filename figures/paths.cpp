@@ -19,7 +19,9 @@ std::filesystem::path scenes_folder() { return folder_named("scenes"); }
 
 std::filesystem::path data_folder() { return folder_named("data"); }
 
-FigureContext figure_context() { return {.scenes = scenes_folder(), .data = data_folder()}; }
+std::filesystem::path sessions_folder() { return folder_named("sessions"); }
+
+FigureContext figure_context() { return {.scenes = scenes_folder(), .data = data_folder(), .sessions = sessions_folder()}; }
 
 std::filesystem::path reference_folder() { return std::filesystem::path(SEESAW_FIGURES_DIR) / "reference"; }
 

@@ -1,4 +1,4 @@
-// Where the figures' scenes and models are: beside an installed program, or in the source tree it was built
+// Where the figures' scenes, models and sessions are: beside an installed program, or in the source tree it was built
 // from.
 #pragma once
 
@@ -13,6 +13,8 @@ namespace seesaw {
 std::filesystem::path scenes_folder();
 /// Likewise share/seesaw/data or figures/data.
 std::filesystem::path data_folder();
+/// Likewise share/seesaw/sessions or figures/sessions.
+std::filesystem::path sessions_folder();
 /// What a figure is given when nobody listens to its progress.
 FigureContext figure_context();
 
