@@ -35,14 +35,26 @@ Equations equations(const ParametricField<Dim>& field, const ControlPoints<Dim>&
 }
 
 // The n multipliers, or nothing where Cholesky would lose too many digits.
-Values by_cholesky(const Equations& e) {
+Values by_cholesky(const Equations& e, double rank_tolerance) {
   if (e.columns.cols() > e.columns.rows()) return {};
   const Eigen::LLT<Eigen::MatrixXd> cholesky(e.columns.transpose() * e.columns);
   const double largest = e.columns.colwise().norm().maxCoeff();
   if (cholesky.info() != Eigen::Success ||
-      !(cholesky.matrixLLT().diagonal().minCoeff() > least_pivot * largest))
+      !(cholesky.matrixLLT().diagonal().minCoeff() > std::max(least_pivot, rank_tolerance) * largest))
     return {};
   return cholesky.solve(e.demands);
+}
+
+// Who of the points that cannot all be followed is redundant, and who is missed.
+void sort_out(SurfaceMotion& motion, std::vector<Index> dependent, const Values& demands, double size) {
+  if (motion.method == ControlMethod::cholesky) return;
+  const double worst = std::max(contradiction * demands.cwiseAbs().maxCoeff(), no_motion_at_all * size);
+  const auto is_missed = [&](Index i) { return std::abs(motion.residuals[i]) > worst; };
+  for (Index i = 0; i < demands.size(); ++i)
+    if (is_missed(i)) motion.contradictory.push_back(i);
+  std::sort(dependent.begin(), dependent.end());
+  for (const Index i : dependent)
+    if (!is_missed(i)) motion.redundant.push_back(i);
 }
 
 template <int Dim>
@@ -79,6 +91,7 @@ SurfaceMotion surface_motion(const ParametricField<Dim>& field, const ControlPoi
   const Index m = field.parameters(), n = points.size();
   SEESAW_CHECK_EQ(points.velocities.cols(), n);
   SEESAW_CHECK_LE(0.0, options.rank_tolerance);
+  SEESAW_CHECK_LT(0.0, options.largest_speed);
   SurfaceMotion motion;
   motion.q_rates = options.desired_rates.size() > 0 ? options.desired_rates : Values::Zero(m);
   SEESAW_CHECK_EQ(motion.q_rates.size(), m);
@@ -90,7 +103,7 @@ SurfaceMotion surface_motion(const ParametricField<Dim>& field, const ControlPoi
   std::vector<Index> dependent;
   if (m == 0) {
     for (Index i = 0; i < n; ++i) dependent.push_back(i);
-  } else if (const Values multipliers = by_cholesky(e); multipliers.size() == n) {
+  } else if (const Values multipliers = by_cholesky(e, options.rank_tolerance); multipliers.size() == n) {
     motion.method = ControlMethod::cholesky;
     motion.rank = n;
     change = -e.columns * multipliers;
@@ -104,17 +117,16 @@ SurfaceMotion surface_motion(const ParametricField<Dim>& field, const ControlPoi
     // Its pivots are points: the most independent come first.
     for (Index k = motion.rank; k < n; ++k) dependent.push_back(decomposition.colsPermutation().indices()[k]);
   }
-  motion.q_rates += options.metric.from_orthonormal(change);
   motion.residuals = e.demands + e.columns.transpose() * change;
-
-  const double worst =
-      std::max(contradiction * e.demands.cwiseAbs().maxCoeff(), no_motion_at_all * size_of(field));
-  if (motion.method != ControlMethod::cholesky)
-    for (Index i = 0; i < n; ++i)
-      if (std::abs(motion.residuals[i]) > worst) motion.contradictory.push_back(i);
-  std::sort(dependent.begin(), dependent.end());
-  for (const Index i : dependent)
-    if (std::abs(motion.residuals[i]) <= worst) motion.redundant.push_back(i);
+  sort_out(motion, dependent, e.demands, size_of(field));
+  const double fastest = options.largest_speed * size_of(field);
+  const double speed = m > 0 ? change.norm() * e.columns.colwise().norm().maxCoeff() : 0.0;
+  if (speed > fastest) {
+    motion.slowed = fastest / speed;
+    change *= motion.slowed;
+    motion.residuals = e.demands + e.columns.transpose() * change;
+  }
+  motion.q_rates += options.metric.from_orthonormal(change);
   return motion;
 }
 
