@@ -12,9 +12,9 @@ this minute's; ratios travel better. On one core, times are processor time, so t
 all cores they are wall time, so let the machine be idle: a row is not judged ("busy") where others took a tenth of it.
 
 How to add a benchmark. In C++: a round in bench/fit.cpp, evaluate.cpp, extract.cpp, trace.cpp or particles.cpp, whose
-contestants each call `turns.take("name", work)` (bench/turns.h), and here a `table.row` that reads that counter from `rounds`. A
-contestant in Python is a function in bench/scipy_side.py. What may be compared: the same data, the same number of
-threads, the same turn.
+contestants each call `turns.take("name", work)` (bench/turns.h), and here a `table.row` that reads that counter from
+`rounds`. A contestant in Python is a function in bench/scipy_side.py. What may be compared: the same data, the same
+number of threads, the same turn.
 
     bench/run.py         what is compared with what, and the aims            bench/turns.h    C++ contestants' clock
     bench/contestants.py running the programs, on one core or on all         bench/data.h     everybody's data
