@@ -368,8 +368,38 @@ TEST(Metric, BySensitivityKnowsNoUnits) {
   EXPECT_GT((scaled_motion(here, small, 1, {}) - scaled_motion(there, large, 8, {})).norm(), 0.1 * a.norm());
 }
 
+// Section 5's list, by hand: the same bits. Without the surface's motion they would be others.
+TEST(DifferentialStep, IsThePapersList) {
+  Random random(11);
+  auto blobs = three_blobs();
+  auto by_hand = three_blobs();
+  ControlPoints<3> points = some_points_on(blobs, 3, random);
+  points.velocities.col(0) = 2 * random.direction<3>();
+  ControlPoints<3> points_by_hand = points;
+  Floaters floaters(blobs, {.desired_radius = 0.1});
+  floaters.equilibrate(blobs, 200);
+  Floaters floaters_by_hand = floaters, uninformed = floaters;
+  for (int step = 0; step < 5; ++step) {
+    const SurfaceMotion motion = differential_step(blobs, points, floaters);
+    const Values rates = surface_motion(by_hand, points_by_hand).q_rates;
+    ASSERT_EQ(motion.q_rates, rates);
+    floaters_by_hand.choose_velocities(by_hand,
+                                       by_hand.q_gradients(floaters_by_hand.positions()).transpose() * rates);
+    uninformed.choose_velocities(by_hand);
+    by_hand.set_q(by_hand.q() + time_step * rates);
+    points_by_hand.positions += time_step * points_by_hand.velocities;
+    floaters_by_hand.move(by_hand);
+    uninformed.move(by_hand);
+  }
+  EXPECT_EQ(blobs.q(), by_hand.q());
+  EXPECT_EQ(points.positions, points_by_hand.positions);
+  EXPECT_EQ(floaters.positions(), floaters_by_hand.positions());
+  EXPECT_EQ(floaters.radii(), floaters_by_hand.radii());
+  EXPECT_NE(floaters.positions(), uninformed.positions());
+}
+
 // The step as a whole: floaters follow what control points do to the surface. "Max |F| / |grad F| stays under
-// 1e-3 of the repulsion radius", here without ever fitting twice the same step: floaters are told f_t.
+// 1e-3 of the repulsion radius", told f_t.
 TEST(DifferentialStep, FloatersFollowADrag) {
   Random random(10);
   auto blobs = three_blobs();
