@@ -23,7 +23,7 @@ struct FloaterOptions {
   Repulsion repulsion = Repulsion::adaptive;
 
   /// sigma-hat over d, "d/4 or less": the density. Neighbors settle at about 1.75 of it; on a sphere (d = 2.5
-  /// radii) there are about 0.66 / desired_radius^2 floaters.
+  /// radii) there are about 0.67 / desired_radius^2 floaters.
   double desired_radius = 0.25;
   /// d, in scene units; 0: the longest side of the field's bounding box when the floaters begin.
   double diameter = 0;

@@ -69,7 +69,7 @@ class Floaters {
 
   /// Further floaters at those of `points` (3 x N) that are within a desired radius of f = 0, and that no
   /// floater of the same sheet is near: two desired radii, or two of its own. Returns how many. To be called
-  /// after an edit that may have made new components.
+  /// between steps, after an edit that may have made new components.
   Index seed(const Field<3>& field, const PointsRef<3>& points);
 
   /// The first half of a step. `rates`: f_t = f_q . q' at `positions()`, N, value per unit of time; empty for
@@ -116,7 +116,7 @@ class Floaters {
   double desired_radius() const { return options_.desired_radius * diameter_; }
   double largest_radius() const;
   double median_speed() const;
-  /// `index` of the old population becomes `sources.size()` new ones; all arrays follow.
+  /// The new population: floater k is a copy of the old one's `sources[k]`.
   void select(const std::vector<Index>& sources);
   void add(const Points<3>& positions, const Points<3>& normals, double radius);
   void update_radii();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -20,26 +19,38 @@ struct Sum {
   double own = 0, others = 0, moment = 0, turn = 0, allowed = 1;
 };
 
-void add_pair(const Crowd& crowd, const RepulsionOptions& options, Index i, Index j, double squared,
-              Sum& sum) {
+// What of the formulas belongs to one floater alone, computed once and not for every pair.
+struct Widths {
+  Values squares, exponents;  // (sigma / t)^2 and -1 / (2 (sigma / t)^2)
+
+  explicit Widths(const Crowd& crowd) : squares(crowd.radii.array().square()) {
+    if (crowd.scales.size() > 0) squares.array() /= crowd.scales.array().square();
+    exponents = -0.5 * squares.cwiseInverse();
+  }
+};
+
+void add_pair(const Crowd& crowd, const Widths& widths, const RepulsionOptions& options, Index i, Index j,
+              double squared, Sum& sum) {
   const Point<3> r = crowd.positions.col(i) - crowd.positions.col(j);
   const double weight = same_sheet(r, crowd.normals.col(i), crowd.normals.col(j));
   if (weight == 0) return;
-  const bool graded = crowd.scales.size() > 0;
-  const double ti = graded ? crowd.scales[i] : 1.0, tj = graded ? crowd.scales[j] : 1.0;
-  const double stretch = 2 / (ti + tj), stretched = squared * stretch * stretch;
-  const double si = crowd.radii[i] * crowd.radii[i] / (ti * ti);
-  const double sj = crowd.radii[j] * crowd.radii[j] / (tj * tj);
+  double stretched = squared, factor = 1, moment = 1;
+  if (crowd.scales.size() > 0) {
+    const double ti = crowd.scales[i], tj = crowd.scales[j], stretch = 2 / (ti + tj);
+    stretched *= stretch * stretch;
+    factor = stretch * std::sqrt(ti * tj);  // t_i sqrt(t_j / t_i)
+    moment = ti * ti;
+    sum.allowed = std::min(sum.allowed, tj + options.grading * std::sqrt(squared));
+  }
   constexpr double last = repulsion_reach * repulsion_reach;
-  const double scale = weight * options.amplitude;
-  const double mine = stretched <= last * si ? scale * std::exp(-0.5 * stretched / si) : 0.0;
+  const double si = widths.squares[i], sj = widths.squares[j], scale = weight * options.amplitude;
+  const double mine = stretched <= last * si ? scale * std::exp(stretched * widths.exponents[i]) : 0.0;
   const double theirs =
-      options.mutual && stretched <= last * sj ? scale * std::exp(-0.5 * stretched / sj) : 0.0;
-  sum.push += stretch * ti * std::sqrt(tj / ti) * (mine + si / sj * theirs) * r;
+      options.mutual && stretched <= last * sj ? scale * std::exp(stretched * widths.exponents[j]) : 0.0;
+  sum.push += factor * (mine - 2 * si * widths.exponents[j] * theirs) * r;
   sum.own += mine;
   sum.others += theirs;
-  if (graded) sum.allowed = std::min(sum.allowed, tj + options.grading * std::sqrt(squared));
-  sum.moment += stretched * mine * ti * ti;
+  sum.moment += stretched * moment * mine;
   if (squared > 0)
     sum.turn += (mine + theirs) * (crowd.normals.col(i) - crowd.normals.col(j)).squaredNorm() / squared;
 }
@@ -106,6 +117,7 @@ struct Table {
 PairSums repulsion(const Crowd& crowd, const RepulsionOptions& options) {
   check(crowd);
   PairSums sums = room_for(crowd.radii.size());
+  const Widths widths(crowd);
   const Neighbors neighbors(crowd.positions, repulsion_reach * crowd.radii);
   neighbors.for_each_leaf([&](std::span<const int> members, std::span<const int> candidates) {
     thread_local Table table;
@@ -115,7 +127,7 @@ PairSums repulsion(const Crowd& crowd, const RepulsionOptions& options) {
       const double reach = repulsion_reach * repulsion_reach * crowd.radii[i] * crowd.radii[i];
       Sum sum;
       for (const std::size_t k : table.within(reach))
-        if (candidates[k] != i) add_pair(crowd, options, i, candidates[k], table.squared[k], sum);
+        if (candidates[k] != i) add_pair(crowd, widths, options, i, candidates[k], table.squared[k], sum);
       write(crowd, i, sum, sums);
     }
   });
@@ -126,13 +138,14 @@ PairSums repulsion_of_all_pairs(const Crowd& crowd, const RepulsionOptions& opti
   check(crowd);
   const Index n = crowd.radii.size();
   PairSums sums = room_for(n);
+  const Widths widths(crowd);
   parallel_blocks(n, 16, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
       Sum sum;
       for (Index j = 0; j < n; ++j) {
         const double squared = (crowd.positions.col(i) - crowd.positions.col(j)).squaredNorm();
         const double reach = repulsion_reach * std::max(crowd.radii[i], crowd.radii[j]);
-        if (j != i && squared <= reach * reach) add_pair(crowd, options, i, j, squared, sum);
+        if (j != i && squared <= reach * reach) add_pair(crowd, widths, options, i, j, squared, sum);
       }
       write(crowd, i, sum, sums);
     }
