@@ -367,6 +367,27 @@ TEST(Editor, ALongDragTakesTheRoomOfOneMove) {
   EXPECT_EQ(bits_of(document), bits_of(start_document<2>()));
 }
 
+// Unasked, so that the last good shape does not hang on who looked when.
+TEST(Editor, SolvesAfterEveryChange) {
+  int solves = 0;
+  EditorOptions<2> options;
+  options.solver = [&](const Constraints<2>& c, const FitOptions& o) { return ++solves, fit<2>(c, o); };
+  Editor<2> editor(start_document<2>(), options);
+  EXPECT_EQ(solves, 1);
+  editor.apply(Move<2>{{0}, {0.01, 0}});
+  EXPECT_EQ(solves, 2);
+  editor.undo();
+  EXPECT_EQ(solves, 3);
+  editor.apply(Move<2>{{0}, {0, 0}});
+  editor.label("nothing changes");
+  editor.shape();
+  EXPECT_EQ(solves, 3);
+  editor.apply(Move<2>{{0}, {0.02, 0}});
+  editor.apply(MoveTo<2>{0, editor.document().constraints[5].constraint.at});
+  ASSERT_TRUE(editor.shape().impossible);
+  EXPECT_EQ(editor.shape().revision, 3u) << "of the change before the impossible one";
+}
+
 TEST(Editor, SolvesWhenAskedIfToldSo) {
   int solves = 0;
   EditorOptions<2> options;

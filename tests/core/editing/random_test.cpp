@@ -10,6 +10,13 @@
 namespace seesaw {
 namespace {
 
+// Under the sanitizers, where a solve takes twenty times as long, a quarter finds what is theirs to find.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int actions = 2'500;
+#else
+constexpr int actions = 10'000;
+#endif
+
 template <int Dim>
 class Monkey {
  public:
@@ -122,7 +129,7 @@ TYPED_TEST(RandomActions, KeepWhatMustHold) {
   Monkey<D> monkey(11);
   std::map<std::uint64_t, std::string> text_of_state = {{0, bits_of(editor.document())}};
   int refused = 0, changed = 0, impossible = 0;
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < actions; ++i) {
     const Command<D> command = monkey.next(editor);
     const Document<D> document = editor.document();
     const std::string before = bits_of(document);
@@ -167,9 +174,9 @@ TYPED_TEST(RandomActions, KeepWhatMustHold) {
     }
   }
   // A monkey that always succeeds, or never, would test little.
-  EXPECT_GT(changed, 4000);
-  EXPECT_GT(refused, 1000);
-  EXPECT_GT(impossible, 200);
+  EXPECT_GT(changed, actions * 4 / 10);
+  EXPECT_GT(refused, actions / 10);
+  EXPECT_GT(impossible, actions / 50);
   this->RecordProperty("changed", changed);
   this->RecordProperty("refused", refused);
   this->RecordProperty("impossible", impossible);
@@ -188,7 +195,7 @@ TYPED_TEST(RandomActions, KeepWhatMustHold) {
   EXPECT_EQ(again.undo_size(), editor.undo_size());
 
   const std::size_t steps = editor.undo_size();
-  EXPECT_GT(steps, 100u);
+  EXPECT_GT(steps, static_cast<std::size_t>(actions / 100));
   editor.listen({});
   while (again.undo().changed) {
     ASSERT_TRUE(editor.undo().changed);

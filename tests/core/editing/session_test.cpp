@@ -71,6 +71,15 @@ void record_write_read_replay() {
   EXPECT_EQ(to_json_text(again), text);
   EXPECT_EQ(again.title, "every command");
   EXPECT_EQ(again.commands[2].comment, "why");
+  // Command for command, for the restore near the end would hide what went wrong before it.
+  const auto documents = [](const Session<Dim>& replayed) {
+    std::vector<std::string> all;
+    ReplayOptions<Dim> collect;
+    collect.after_each = [&](Index, Editor<Dim>& editor) { all.push_back(bits_of(editor.document())); };
+    replay(replayed, collect);
+    return all;
+  };
+  EXPECT_EQ(documents(again), documents(session));
   std::vector<std::string> labels;
   Index performed = 0;
   double done = 0;
