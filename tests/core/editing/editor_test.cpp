@@ -472,5 +472,17 @@ TEST(Pick, ARayMeetsTheSurfaceFirstWhereAPersonSeesIt) {
   EXPECT_TRUE(std::isnan(hit(20, 1)));
 }
 
+TEST(Pick, WhereTheBoxCutsTheSolidIsNoSurface) {
+  // A plane: all below z = 0 is inside, as far as the box goes.
+  const auto f =
+      std::make_shared<const Interpolant<3>>(fit<3>({boundary<3>({1, 0, 0}), boundary<3>({-1, 0, 0}),
+                                                     boundary<3>({0, 1, 0}), interior<3>({0, 0, -1})})
+                                                 .function);
+  const auto up = first_on_surface(f, {0.1, 0.2, -20}, {0, 0, 1});
+  ASSERT_TRUE(up);
+  EXPECT_NEAR(up->z(), 0, 1e-12);
+  EXPECT_FALSE(first_on_surface(f, {-20, 0.1, -0.5}, {1, 0, 0}));
+}
+
 }  // namespace
 }  // namespace seesaw
