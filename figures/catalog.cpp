@@ -13,6 +13,7 @@ Figure turk2002_fig08(const FigureContext&);
 Figure turk2002_fig09(const FigureContext&);
 Figure turk2002_fig10(const FigureContext&);
 Figure witkin1994_fig1(const FigureContext&);
+Figure witkin1994_fig2(const FigureContext&);
 Figure seesaw_figure(const FigureContext&);
 Figure energy_figure(const FigureContext&);
 Figure knot_insertion(const FigureContext&);
@@ -37,6 +38,7 @@ const std::vector<FigureEntry>& catalog() {
       {"turk2002-fig09", "three tori, blended", turk2002_fig09},
       {"turk2002-fig10", "two surfaces ray traced, and constructive solid geometry", turk2002_fig10},
       {"witkin1994-fig1", "floaters on a cylinder that is stretched", witkin1994_fig1},
+      {"witkin1994-fig2", "blobby cylinders, shaped by control points", witkin1994_fig2},
       {"seesaw", "each boundary constraint acts much like a see-saw", seesaw_figure},
       {"energy", "bending energy from the weights and by quadrature", energy_figure},
       {"knot-insertion", "new boundary constraints leave the curve unchanged", knot_insertion},
