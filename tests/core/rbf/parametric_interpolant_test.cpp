@@ -135,6 +135,8 @@ TEST(ParametricInterpolant, OnAPlaneMovesAlongIt) {
   ASSERT_TRUE(f.report().degenerate);
   const Points<3> x = random.points_in<3>(Box<3>(Point<3>(-1, -1, 1), Point<3>(1, 1, 3)), 5);
   const Eigen::MatrixXd all = f.q_gradients(x);
+  const Values everywhere = Values::LinSpaced(f.parameters(), -1, 2);  // across the plane, too
+  EXPECT_LT((f.rates(x, everywhere) - all.transpose() * everywhere).cwiseAbs().maxCoeff(), 1e-9);
   for (Index i = 0; i < 8; ++i) {
     EXPECT_LT(all.row(f.position_parameter(i) + 2).cwiseAbs().maxCoeff(), 1e-9);
     f.freeze(f.position_parameter(i) + 2);
