@@ -24,6 +24,7 @@ Figure interference_figure(const FigureContext&);
 Figure sphere_tracing(const FigureContext&);
 Figure bunny_timing(const FigureContext&);
 Figure fission_figure(const FigureContext&);
+Figure slippery_figure(const FigureContext&);
 
 const std::vector<FigureEntry>& catalog() {
   static const std::vector<FigureEntry> entries = {
@@ -49,6 +50,7 @@ const std::vector<FigureEntry>& catalog() {
       {"sphere-tracing", "sphere tracing by samples and by proven bounds", sphere_tracing},
       {"bunny-timing", "solving and extracting the bunny, then and now", bunny_timing},
       {"fission", "repulsion, global fissioning and adaptive repulsion from one place", fission_figure},
+      {"slippery", "the same drag on a blobby model and on an interpolating surface", slippery_figure},
   };
   return entries;
 }
