@@ -13,14 +13,8 @@
 namespace seesaw {
 namespace {
 
-// The sanitizers run some twenty times slower; the largest populations are left to the plain build.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr double densest_on_sphere = 0.025, densest_on_torus = 0.03;
-constexpr int long_time = 1000;
-#else
-constexpr double densest_on_sphere = 0.0081, densest_on_torus = 0.018;
-constexpr int long_time = 10000;
-#endif
+constexpr double densest_on_sphere = sanitized ? 0.05 : 0.0081, densest_on_torus = sanitized ? 0.05 : 0.018;
+constexpr int long_time = sanitized ? 500 : 10000;
 
 // At rest, even to `variation`, without gaps, and nobody is born or dies afterwards.
 void expect_uniform(Floaters& floaters, const Field<3>& field, const Points<3>& surface, double variation,
@@ -42,7 +36,7 @@ void expect_uniform(Floaters& floaters, const Field<3>& field, const Points<3>& 
 
 TEST(Floaters, SphereFromOneSeed) {
   const Sphere<3> sphere({0.3, -0.2, 0.1}, 1);
-  for (const double radius : {0.082, 0.026, densest_on_sphere}) {
+  for (const double radius : {0.082, sanitized ? 0.04 : 0.026, densest_on_sphere}) {
     Floaters floaters(sphere, {.desired_radius = radius});
     EXPECT_EQ(floaters.size(), 1);
     expect_uniform(floaters, sphere,
@@ -54,7 +48,7 @@ TEST(Floaters, SphereFromOneSeed) {
 
 TEST(Floaters, TorusFromOneSeed) {
   const Torus torus({0, 0, 0}, {0, 0, 1}, 1, 0.4);
-  for (const double radius : {0.06, 0.03, densest_on_torus}) {
+  for (const double radius : {0.06, sanitized ? 0.055 : 0.03, densest_on_torus}) {
     Floaters floaters(torus, {.desired_radius = radius});
     expect_uniform(floaters, torus, points_on_torus(1, 0.4, static_cast<int>(20 / radius)), 0.05,
                    radius > 0.02 ? 300 : 100);
@@ -64,7 +58,7 @@ TEST(Floaters, TorusFromOneSeed) {
 TEST(Floaters, TwoComponentsFromASeedEach) {
   const Union<3> field = two_spheres(1, 0.5, 0.02);
   const Points<3> seeds{{-1, 2.02}, {0, 0}, {0, 0}};
-  for (const double radius : {0.05, 0.02}) {
+  for (const double radius : {0.05, sanitized ? 0.04 : 0.02}) {
     Floaters floaters(field, seeds, {.desired_radius = radius});
     EXPECT_EQ(floaters.counts().seeded, 2);
     Points<3> surface(3, 40000);
@@ -78,7 +72,7 @@ TEST(Floaters, TwoComponentsFromASeedEach) {
 
 TEST(Floaters, OneSeedIsOneComponent) {  // a gap a tenth of a radius wide, and nobody crosses it
   for (const double gap : {0.01, 0.1})
-    for (const double desired : {0.1, 0.03}) {
+    for (const double desired : {0.1, sanitized ? 0.06 : 0.03}) {
       const Union<3> field = two_spheres(1, 1, gap);
       Floaters floaters(field, Point<3>(0, 0, 1), {.desired_radius = desired});
       for (int i = 0; i < 400; ++i) {
@@ -233,7 +227,7 @@ TEST(Floaters, DensityByCurvature) {
   EXPECT_LT(plain.equilibrate(bean), 1500);
   EXPECT_LT(fine.equilibrate(bean), 1500);
   const FloaterCounts counts = fine.counts();
-  for (int i = 0; i < 200; ++i) fine.step(bean);
+  for (int i = 0; i < (sanitized ? 20 : 200); ++i) fine.step(bean);
   EXPECT_EQ(fine.counts().births, counts.births);  // graded density is at rest, too
   EXPECT_EQ(fine.counts().deaths, counts.deaths);
   EXPECT_GT(fine.size(), plain.size() * 3 / 2);

@@ -28,6 +28,7 @@ void expect_integrals(const Floaters& floaters, double area, double volume, doub
 TEST(Integrals, OfSurfacesWithFormulas) {
   // The error falls with the square of the spacing or faster; at these, 200 to 3000 floaters, it is below.
   for (const auto& [radius, tolerance] : {std::pair{0.05, 0.01}, {0.02, 0.002}}) {
+    if (sanitized && radius < 0.05) continue;
     const Sphere<3> sphere({1, 2, 3}, 2);
     Floaters on_sphere(sphere, {.desired_radius = radius});
     on_sphere.equilibrate(sphere);
@@ -85,17 +86,13 @@ TEST(Integrals, GapsAndSpacings) {
 TEST(Integrals, Bunny) {  // spread, gaps, area and volume on a real model, from one seed
   const char* const path = "/usr/share/glmark2/models/bunny.obj";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "needs the package glmark2-data";
-#if defined(__SANITIZE_ADDRESS__)
-  constexpr Index vertices = 150;
-  constexpr double radius = 0.016;
-#else
+  // With 500 floaters the ears are as thin as the spacing, and the area is 4 % off.
   constexpr Index vertices = 300;
-  constexpr double radius = 0.01;
-#endif
+  constexpr double radius = sanitized ? 0.02 : 0.01, tolerance = sanitized ? 0.06 : 0.02;
   const Constraints<3> made =
       constraints_from(simplify(read_mesh(path).mesh, vertices), {.to_unit_cube = true}).constraints;
   const Interpolant<3> bunny = fit(made, {.condition = false}).function;
-  const Polygonization mesh = polygonize(bunny, made[0].at, {.cells = 90});
+  const Polygonization mesh = polygonize(bunny, made[0].at, {.cells = sanitized ? 60 : 90});
   const MeshReport report = check_mesh(mesh.mesh);
   ASSERT_EQ(report.components, 1);
 
@@ -106,7 +103,7 @@ TEST(Integrals, Bunny) {  // spread, gaps, area and volume on a real model, from
   EXPECT_LT(found.spacing.variation, 0.12);
   EXPECT_LT(largest_gap(floaters.positions(), mesh.mesh.vertices), 3 * found.mean_radius);
   EXPECT_LT(found.most_off_radii, 1e-3);
-  expect_integrals(floaters, report.area, report.volume, 0.02);
+  expect_integrals(floaters, report.area, report.volume, tolerance);
 }
 
 }  // namespace

@@ -14,6 +14,14 @@
 
 namespace seesaw {
 
+// The sanitizers run some ten times slower: large populations and second variants are left to the plain
+// build.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+
 /// A cylinder with round caps along the x axis: f = r - distance from the segment. Its length can change.
 class Capsule final : public Field<3> {
  public:
