@@ -116,6 +116,11 @@ Figure fission_figure(const FigureContext& context) {
   for (const auto& [name, title, chart] : {std::tuple{"population", "how many", population},
                                            std::tuple{"uniformity", "how uneven", uniformity}}) {
     Panel panel{.name = name, .title = title, .width = 300, .height = 240};
+    for (const Run& run : runs) {
+      const Series& shown = std::string(name) == "population" ? run.count : run.variation;
+      panel.facts[run.name] = {{"after_60_steps", *std::prev(shown.y.end(), steps - 60 + 1)},
+                               {"at_the_end", shown.y.back()}};
+    }
     panel.draw = [chart = chart](Canvas& canvas, const Rect& region) { draw_chart(canvas, region, chart); };
     figure.panels.push_back(std::move(panel));
   }
