@@ -1,5 +1,7 @@
 #include "core/implicit/parametric.h"
 
+#include "core/base/error.h"
+
 namespace seesaw {
 
 template <int Dim>
@@ -35,7 +37,8 @@ Values ParametricField<Dim>::q() const {
 template <int Dim>
 void ParametricField<Dim>::set_q(const Eigen::Ref<const Values>& q) {
   SEESAW_CHECK_EQ(q.size(), parameters());
-  SEESAW_CHECK_EQ(q.allFinite(), true);
+  if (!q.allFinite())
+    throw Error("a parameter of the surface would not be a finite number; move the surface more slowly");
   Values values = all();
   values(free_) = q;
   set_all(values);

@@ -29,9 +29,9 @@ class ParametricField : public Field<Dim> {
   Index parameters() const { return static_cast<Index>(free_.size()); }
   /// The free parameters q (m), in the order of `names()`.
   Values q() const;
-  /// Moves the surface; frozen parameters keep their values to the bit. Every entry must be finite. Throws
-  /// Error where the shape has no surface for such a q (two constraints of an interpolant have met); the
-  /// surface is then as it was. Not to be called while others evaluate.
+  /// Moves the surface; frozen parameters keep their values to the bit. Throws Error where q is not finite or
+  /// the shape has no surface for it (two constraints of an interpolant have met); the surface is then as it
+  /// was. Not to be called while others evaluate.
   void set_q(const Eigen::Ref<const Values>& q);
 
   /// Column i of the result is f_q at points.col(i): m x N, value per unit of the parameter. `points` Dim x

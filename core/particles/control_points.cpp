@@ -118,10 +118,10 @@ SurfaceMotion surface_motion(const ParametricField<Dim>& field, const ControlPoi
     for (Index k = motion.rank; k < n; ++k) dependent.push_back(decomposition.colsPermutation().indices()[k]);
   }
   motion.residuals = e.demands + e.columns.transpose() * change;
-  sort_out(motion, dependent, e.demands, size_of(field));
-  const double fastest = options.largest_speed * size_of(field);
+  const double size = size_of(field), fastest = options.largest_speed * size;
+  sort_out(motion, dependent, e.demands, size);
   const double speed = m > 0 ? change.norm() * e.columns.colwise().norm().maxCoeff() : 0.0;
-  if (speed > fastest) {
+  if (size > 0 && speed > fastest) {
     motion.slowed = fastest / speed;
     change *= motion.slowed;
     motion.residuals = e.demands + e.columns.transpose() * change;

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 
+#include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/implicit/parametric_shapes.h"
 #include "tests/support/differences.h"
@@ -106,6 +108,17 @@ TEST(ParametricShapes, SignIsOurs) {
 TEST(ParametricShapes, FrozenParametersDoNotMove) {
   Random random(3);
   for (const auto& shape : all_shapes<3>(random)) expect_freezing_works(*shape, random);
+}
+
+TEST(ParametricShapes, RefuseWhatIsNoNumber) {
+  Random random(7);
+  for (const auto& shape : all_shapes<3>(random)) {
+    const Values before = shape->q();
+    Values q = before;
+    q[1] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(shape->set_q(q), Error);
+    EXPECT_EQ(shape->q(), before);
+  }
 }
 
 // Dynamics may carry a radius through zero; the shape is even in it.

@@ -139,6 +139,18 @@ TEST(ControlPoints, AllAtOneVelocityCarryASphere) {
   EXPECT_NEAR(rates[3], 0.5, 1e-15);
 }
 
+TEST(ControlPoints, MoveCurvesToo) {
+  ParametricSphere<2> circle({1, 0}, 0.5);
+  ControlPoints<2> points;
+  for (const double angle : {0.0, 2.0, 4.0})
+    points.add(circle.center() + 0.5 * Point<2>(std::cos(angle), std::sin(angle)));
+  points.velocities.colwise() = Point<2>(1, 2);
+  advance(circle, points, surface_motion(circle, points), time_step);
+  EXPECT_LT((circle.center() - Point<2>(1.03, 0.06)).norm(), 1e-14);
+  EXPECT_NEAR(circle.radius(), 0.5, 1e-14);
+  EXPECT_LT(circle.values(points.positions).norm(), 1e-14);
+}
+
 TEST(ControlPoints, NothingToDo) {
   auto sphere = ParametricSphere<3>({0, 0, 0}, 1);
   ControlPoints<3> points;
