@@ -1,6 +1,6 @@
 #include "core/rbf/sensitivity.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "core/base/check.h"
@@ -21,6 +21,22 @@ double normalized_smoothing(const Interpolant<Dim>& f, double smoothing) {
   return smoothing / std::pow(f.normalization().scale, growth_of(f.kernel()));
 }
 
+// Onto the line or plane, of as many `directions` as the factorization found, that vectors (Dim x N) lie in:
+// the longest of them, the longest of what is left across it, ...
+template <int Dim>
+Eigen::Matrix<double, Dim, Dim> projection_onto(Points<Dim> vectors, Index directions) {
+  if (directions == Dim) return Eigen::Matrix<double, Dim, Dim>::Identity();
+  Eigen::Matrix<double, Dim, Dim> projection = Eigen::Matrix<double, Dim, Dim>::Zero();
+  for (Index k = 0; k < directions; ++k) {
+    Index longest = 0;
+    vectors.colwise().squaredNorm().maxCoeff(&longest);
+    const Point<Dim> axis = vectors.col(longest).normalized();
+    projection += axis * axis.transpose();
+    vectors -= axis * (axis.transpose() * vectors).eval();
+  }
+  return projection;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -34,16 +50,11 @@ Sensitivity<Dim>::Sensitivity(const Interpolant<Dim>& function, double smoothing
   if (!factorization_.positive_definite())
     throw Error("the constraints are too close together to tell how the surface moves with them");
 
-  // As many directions as the factorization found the centers to have.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>> spread(centered_ *
-                                                                              centered_.transpose());
-  inverse_.setZero();
-  projection_.setZero();
-  for (Index k = 0, directions = factorization_.polynomial_rank() - 1; k < directions; ++k) {
-    const Point<Dim> axis = spread.eigenvectors().col(Dim - 1 - k);
-    inverse_ += axis * axis.transpose() / spread.eigenvalues()[Dim - 1 - k];
-    projection_ += axis * axis.transpose();
-  }
+  projection_ = projection_onto<Dim>(centered_, factorization_.polynomial_rank() - 1);
+  // What is missing to full rank is filled up, inverted and taken out again.
+  const Eigen::Matrix<double, Dim, Dim> one = Eigen::Matrix<double, Dim, Dim>::Identity();
+  const Eigen::Matrix<double, Dim, Dim> spread = centered_ * centered_.transpose() + (one - projection_);
+  inverse_ = projection_ * spread.inverse() * projection_;
 
   const double sign = f_.kernel() == Kernel::linear ? -1.0 : 1.0;
   const Values none = Values::Zero(Dim + 1);
