@@ -180,7 +180,8 @@ Figure slippery_figure(const FigureContext& context) {
   figure.checks.push_back(at_least("untouched half: blobby over interpolating, rms distance wandered",
                                    rms(blobby_wander) / rms(smooth_wander), 1.5));
   figure.caption =
-      "Twelve points are held, one is dragged to the cursor (orange). Both surfaces meet it. But the blobby "
+      "Of twelve points eleven are held and one is dragged to the cursor (orange). Both surfaces meet it. "
+      "But the blobby "
       "model, " +
       std::to_string(surface.parameters()) +
       " parameters for 12 control points, has slid about under it: its normal there has turned by " +

@@ -116,7 +116,8 @@ Figure sphere_tracing(const FigureContext& context) {
   constexpr int fine = 3;
   const int rays = fine * pixels;
   const Hits proof = hits(by_bounds, close, rays);
-  const std::vector<bool>&truth = proof.hit, sampled = hits(by_samples, close, rays).hit;
+  const std::vector<bool>& truth = proof.hit;
+  const std::vector<bool> sampled = hits(by_samples, close, rays).hit;
   const double unproven = proof.unproven / blade->bounding_box().sizes().norm();
   Index seen = 0, missed = 0, invented = 0;
   for (int y = 0; y < rays; ++y)

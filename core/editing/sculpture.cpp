@@ -73,7 +73,7 @@ DragReport Sculptor::drag(const Drag& drag, int most_steps, const Progress& prog
   report.point = grab(drag.grab, report.is_new);
   const Point<3> from = points_.positions.col(report.point);
   const double step_time = floaters_.options().time_step, distance = (drag.to - from).norm();
-  // A hand's speed: four desired radii in the time of one paper's unit, ten steps of 0.03 a radius.
+  // A hand's speed: four desired radii per unit of time, some eight steps of 0.03 a radius.
   const double speed = 4 * desired_radius_;
   for (; report.steps < most_steps; ++report.steps) {
     seesaw::report(progress, report.steps / static_cast<double>(most_steps));
