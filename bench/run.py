@@ -11,7 +11,7 @@ and, where they differ by more than a tenth, the smallest and the largest. Absol
 this minute's; ratios travel better. On one core, times are processor time, so that other programs do not count; on
 all cores they are wall time, so let the machine be idle: a row is not judged ("busy") where others took a tenth of it.
 
-How to add a benchmark. In C++: a round in bench/fit.cpp, evaluate.cpp, extract.cpp, trace.cpp or particles.cpp, whose
+How to add a benchmark. In C++: a round in bench/fit.cpp, edit.cpp, evaluate.cpp, extract.cpp, trace.cpp or particles.cpp, whose
 contestants each call `turns.take("name", work)` (bench/turns.h), and here a `table.row` that reads that counter from
 `rounds`. A contestant in Python is a function in bench/scipy_side.py. What may be compared: the same data, the same
 number of threads, the same turn.
@@ -106,6 +106,29 @@ def breakdown_section(table, every):
         part("two solves", lambda r: 2 * r["solve"])
         part("two residuals", lambda r: 2 * r["residual"])
         part("all else", lambda r: r["fit"] - r["factorization"] - r["condition"] - 2 * r["solve"] - 2 * r["residual"])
+
+
+def edit_section(table, quick):
+    """A step of a drag, from constraints to a function, beside a full fit of the same constraints."""
+    one_core = contestants.one_core()
+    table.section("EDITING on one core", "a step of a drag: constraints in, a function out, by bordering the last full "
+                  "fit. Theirs, unless said: fit()")
+    for kernel, dim in PAPERS:
+        for n in [100] if quick else [100, 1000, 3000]:
+            rounds = contestants.rounds("bench_edit", f"edit/{case(kernel, dim)}/{n}", one_core, 1 if quick else 5)
+            fits = [r["fit"] for r in rounds]
+            large = n == 3000
+            table.head(f"{words(kernel, dim)}, N = {n}")
+            table.speedup("one row dragged", [r["row"] for r in rounds], fits, at_least(50) if large else None)
+            table.times("one row dragged / 8 ms", [r["row"] for r in rounds], [0.008] * len(rounds),
+                        at_most(1.0) if large else None)
+            table.speedup("a constraint and its normal dragged", [r["pair"] for r in rounds], fits, None)
+            table.speedup("a value changed", [r["value"] for r in rounds], fits, None)
+            table.speedup("twenty rows dragged", [r["twenty"] for r in rounds], fits, None)
+            table.share("one solve / one row dragged", [r["solve"] for r in rounds], [r["row"] for r in rounds])
+            # The number that the aim is about is the difference itself; theirs is what fit() misses constraints by.
+            table.errors("field values / fit's residual", max(r["difference"] for r in rounds),
+                         max(r["residual"] for r in rounds), Aim("<=", 1e-8))
 
 
 def memory_section(table, n):
@@ -264,7 +287,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="a few seconds: only to see that everything runs")
     parser.add_argument("--full", action="store_true", help="also N = 6000")
     parser.add_argument("--programs", default=HERE.parent / "build/release/bin", type=pathlib.Path,
-                        help="where bench_fit, bench_evaluate, bench_extract, bench_trace, bench_particles and "
+                        help="where bench_fit, bench_edit, bench_evaluate, bench_extract, bench_trace, bench_particles and "
                         "bench_memory are")
     options = parser.parse_args()
     contestants.PROGRAMS = options.programs
@@ -277,6 +300,7 @@ def main():
     if contestants.all_cores().count > 1:
         fit_section(table, contestants.all_cores(), sizes, turns)
     breakdown_section(table, every)
+    edit_section(table, options.quick)
     memory_section(table, 400 if options.quick else 3000)
     evaluation_section(table, 1 if options.quick else 7, options.quick)
     error_section(table, options.quick)

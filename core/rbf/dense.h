@@ -45,6 +45,7 @@ class Symmetric {
   Index stride(Index j) const { return n_ - first_row(j); }
   /// Rows i .. n - 1 of column j.
   Eigen::Map<Values> column_from(Index i, Index j) { return {at(i, j), n_ - i}; }
+  Eigen::Map<const Values> column_from(Index i, Index j) const { return {at(i, j), n_ - i}; }
 
  private:
   struct Free {

@@ -5,6 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/rbf/energy.h"
+#include "core/rbf/full_fit.h"
 
 namespace seesaw {
 
@@ -27,7 +28,7 @@ template <int Dim>
 }
 
 template <int Dim>
-Fit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport report) {
+FullFit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport report) {
   const auto start = std::chrono::steady_clock::now();
   SEESAW_CHECK_LE(0.0, options.smoothing);
   report.kernel = options.kernel.value_or(papers_kernel(Dim));
@@ -82,13 +83,13 @@ Fit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport report) {
   report.energy = std::max(
       0.0, sign * energy_factor(report.kernel, Dim) * function.weights().dot(rows.values - residual));
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {std::move(function), report};
+  return {options, std::move(rows), smoothing, std::move(factorization), {std::move(function), report}};
 }
 
 }  // namespace
 
 template <int Dim>
-Fit<Dim> fit(const Constraints<Dim>& constraints, const FitOptions& options) {
+FitReport counted(const Constraints<Dim>& constraints) {
   FitReport report;
   for (const auto& constraint : constraints) {
     report.boundary += constraint.kind == ConstraintKind::boundary;
@@ -96,7 +97,17 @@ Fit<Dim> fit(const Constraints<Dim>& constraints, const FitOptions& options) {
     report.exterior += constraint.kind == ConstraintKind::exterior;
     report.normal += constraint.normal.has_value();
   }
-  return fit_rows(rows_of(constraints), options, report);
+  return report;
+}
+
+template <int Dim>
+FullFit<Dim> full_fit(const Constraints<Dim>& constraints, const FitOptions& options) {
+  return fit_rows(rows_of(constraints), options, counted(constraints));
+}
+
+template <int Dim>
+Fit<Dim> fit(const Constraints<Dim>& constraints, const FitOptions& options) {
+  return full_fit(constraints, options).fit;
 }
 
 template <int Dim>
@@ -104,10 +115,12 @@ Fit<Dim> fit_values(const PointsRef<Dim>& points, const Eigen::Ref<const Values>
                     const FitOptions& options) {
   FitReport report;
   report.boundary = points.cols();
-  return fit_rows(rows_of<Dim>(points, values), options, report);
+  return fit_rows(rows_of<Dim>(points, values), options, report).fit;
 }
 
 #define SEESAW_INSTANTIATE(Dim)                                                             \
+  template FitReport counted<Dim>(const Constraints<Dim>&);                                 \
+  template FullFit<Dim> full_fit<Dim>(const Constraints<Dim>&, const FitOptions&);          \
   template Fit<Dim> fit<Dim>(const Constraints<Dim>&, const FitOptions&);                   \
   template Fit<Dim> fit_values<Dim>(const PointsRef<Dim>&, const Eigen::Ref<const Values>&, \
                                     const FitOptions&);

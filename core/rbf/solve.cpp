@@ -1,6 +1,7 @@
 #include "core/rbf/solve.h"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <array>
 
 #include "core/base/check.h"
@@ -108,6 +109,42 @@ Solution Factorization<Dim>::solve(const Eigen::Ref<const Values>& values) {
   solution.polynomial[0] -= solution.polynomial.template tail<Dim>().dot(mean_);
   solution.weights = apply_q(std::move(v));
   return solution;
+}
+
+template <int Dim>
+Eigen::MatrixXd Factorization<Dim>::solve_all(const Eigen::MatrixXd& right_sides) const {
+  SEESAW_CHECK_EQ(right_sides.rows(), n_ + Dim + 1);
+  SEESAW_CHECK_EQ(positive_definite_, true);
+  SEESAW_CHECK_EQ(rank_, Index{Dim + 1});
+  const Index free = n_ - rank_, m = right_sides.cols();
+  Eigen::MatrixXd bottoms = right_sides.bottomRows(Dim + 1);
+  bottoms.bottomRows(Dim) -= mean_ * bottoms.row(0);
+  const Eigen::MatrixXd z = polynomial_.transpose() * bottoms;
+
+  Eigen::MatrixXd rotated(n_, m), v(free, m);
+  for (Index k = 0; k < m; ++k) {
+    rotated.col(k) = apply_q_transposed(right_sides.col(k).head(n_));
+    v.col(k) = sign_ * rotated.col(k).tail(free);
+    for (Index i = 0; i < rank_; ++i) v.col(k) -= z(i, k) * matrix_.column_from(rank_, i);
+  }
+  dense::solve(matrix_, rank_, v);
+
+  Eigen::MatrixXd result(n_ + Dim + 1, m);
+  for (Index k = 0; k < m; ++k) {
+    Values left = rotated.col(k).head(rank_);  // Q1' (h - Phi w)
+    for (Index i = 0; i < rank_; ++i) {
+      left[i] -= sign_ * matrix_.column_from(rank_, i).dot(v.col(k));
+      for (Index j = 0; j < rank_; ++j)
+        left[i] -= sign_ * *matrix_.at(std::max(i, j), std::min(i, j)) * z(j, k);
+    }
+    Values w(n_);
+    w << z.col(k), v.col(k);
+    result.col(k).head(n_) = apply_q(std::move(w));
+    auto p = result.col(k).tail(Dim + 1);
+    p = polynomial_ * left;
+    p[0] -= p.template tail<Dim>().dot(mean_);
+  }
+  return result;
 }
 
 template <int Dim>

@@ -20,6 +20,9 @@
 // That is half the multiplications of LU of eq. 8, at a reciprocal condition (N = 1600) of 4e-9 instead of
 // 1e-12.
 //
+// Right sides [h; b] with P' w = b are met by w = Q1 z + Q2 v with R' z = b: what Q1 z adds to the top goes
+// to the right. core/rbf/border.h needs these.
+//
 // Where all centers lie on one line (2D) or plane (3D), P has no full rank: the weights are determined all
 // the same and the polynomial is not. Among those that fit, the one of least norm is taken: f is then
 // constant across the line.
@@ -54,6 +57,10 @@ class Factorization {
   /// Weights and polynomial for values h (N). Needs positive_definite(). 2 N^2 multiplications. Not const:
   /// the first calls also carry the condition's estimate forward.
   Solution solve(const Eigen::Ref<const Values>& values);
+  /// [w; p] for many right sides [h; b] at once, (N + Dim + 1) x m, whose bottoms need not be zero: P' w = b
+  /// may ask for any sums over the weights. The matrix is read once for all of them. Needs
+  /// positive_definite() and polynomial_rank() == Dim + 1. 2 N^2 multiplications each.
+  Eigen::MatrixXd solve_all(const Eigen::MatrixXd& right_sides) const;
   /// Of s Q2' (Phi + s lambda I) Q2 in the 1-norm, estimated; three solves, less those that rode along above.
   double reciprocal_condition();
 
