@@ -1,0 +1,153 @@
+// A desk's document: files, the clipboard, recording.
+#include "core/editing/desk.h"
+#include "core/scene/document_json.h"
+
+namespace seesaw {
+
+namespace {
+
+std::string too_many(std::size_t count, Index most) {
+  return "has " + std::to_string(count) + " constraints; up to " + std::to_string(most) + " can be edited";
+}
+
+}  // namespace
+
+// The new editor is there before the old one goes: whatever is thrown, the open document stays.
+void Desk::replace(Document<2> document, std::filesystem::path path, bool saved) {
+  let_go();
+  Editor<2> next(std::move(document), options_.editor);
+  revisions_before_ = revision() + 1;
+  editor_ = std::move(next);
+  recording_ = false;
+  selection_.clear();
+  profile_.reset();
+  path_ = std::move(path);
+  saved_state_ = saved ? std::optional<std::uint64_t>(0) : std::nullopt;
+  display_ = saved_display_ = editor_.document().display;
+  before_.reset();
+  comparing_ = false;
+  other_kernel_.reset();
+  show_as_saved();
+}
+
+bool Desk::open(const std::filesystem::path& path) {
+  try {
+    Document<2> document = read_document<2>(path);
+    if (document.constraints.size() > static_cast<std::size_t>(options_.most_constraints))
+      throw FileError(path.string(), too_many(document.constraints.size(), options_.most_constraints));
+    replace(std::move(document), path, true);
+    say("opened " + path.string());
+    return true;
+  } catch (const Error& error) {
+    say(error.what(), true);
+  } catch (const std::bad_alloc&) {
+    say(path.string() + ": there is not enough memory for it", true);
+  }
+  return false;
+}
+
+bool Desk::save(const std::filesystem::path& path) {
+  close_gesture();
+  try {
+    write_document(path, to_save());
+  } catch (const Error& error) {
+    say(error.what(), true);
+    return false;
+  }
+  path_ = path;
+  saved_state_ = editor_.state();
+  saved_display_ = display_;
+  say("saved " + path.string());
+  return true;
+}
+
+void Desk::start(Document<2> document) { replace(std::move(document), {}, true); }
+
+void Desk::recover(Document<2> document, const std::filesystem::path& path) {
+  replace(std::move(document), path, false);
+  say("recovered; it is not saved yet");
+}
+
+Document<2> Desk::to_save() const {
+  Document<2> document = editor_.document();
+  document.display = display_;
+  return document;
+}
+
+bool Desk::unsaved() const {
+  return !saved_state_ || editor_.state() != *saved_state_ || !(display_ == saved_display_);
+}
+
+std::string Desk::name() const {
+  const std::string plain = !path_.empty()              ? path_.filename().string()
+                            : !document().title.empty() ? document().title
+                                                        : "untitled";
+  return plain + (unsaved() ? "*" : "");
+}
+
+std::string Desk::selection_text() const {
+  Document<2> part = to_save();
+  if (selection_.empty()) return to_json_text(part);
+  std::vector<SceneConstraint<2>> chosen;
+  for (const Index i : selection_.indices()) chosen.push_back(part.constraints[static_cast<std::size_t>(i)]);
+  part.constraints = std::move(chosen);
+  return to_json_text(part);
+}
+
+bool Desk::paste(const std::string& text) {
+  let_go();
+  try {
+    Document<2> pasted = parse_document<2>(text, "the clipboard");
+    if (pasted.constraints.empty()) throw Error("there is no constraint in the clipboard");
+    if (!room_for(pasted.constraints.size())) return false;
+    // Beside what they were copied from, and beside earlier copies.
+    const double step = grid_.on ? grid_step() : 12 * scale_ * view_.pixel();
+    const auto doubles = [&] {
+      Constraints<2> plain = constraints_of(pasted);
+      return without_doubles(plain, document()).size() < without_doubles(plain, {}).size();
+    };
+    for (int tries = 0; tries < 100 && doubles(); ++tries)
+      for (SceneConstraint<2>& each : pasted.constraints) each.constraint.at += Point<2>(step, -step);
+    return did(Add<2>{std::move(pasted.constraints)});
+  } catch (const Error& error) {
+    say(error.what(), true);
+    return false;
+  }
+}
+
+bool Desk::paste_scene(const std::string& text) {
+  let_go();
+  try {
+    Document<2> pasted = parse_document<2>(text, "the clipboard");
+    if (pasted.constraints.size() > static_cast<std::size_t>(options_.most_constraints))
+      throw Error("the clipboard " + too_many(pasted.constraints.size(), options_.most_constraints));
+    const Display<2> display = pasted.display;
+    if (!did(Restore<2>{std::move(pasted)})) return false;
+    display_ = display;
+    show_as_saved();
+    return true;
+  } catch (const Error& error) {
+    say(error.what(), true);
+    return false;
+  }
+}
+
+void Desk::start_recording() {
+  let_go();
+  editor_.listen({});
+  session_ = std::make_unique<Session<2>>();
+  record(editor_, *session_);
+  recording_ = true;
+}
+
+std::optional<Session<2>> Desk::stop_recording() {
+  let_go();
+  if (recording_) editor_.listen({});
+  recording_ = false;
+  if (!session_) return std::nullopt;
+  std::optional<Session<2>> result = std::move(*session_);
+  session_.reset();
+  return result;
+}
+
+}  // namespace seesaw
