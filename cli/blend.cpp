@@ -20,13 +20,13 @@ namespace seesaw {
 
 namespace {
 
-struct Options {
+struct BlendArguments {
   std::vector<std::string> scenes;
   std::string output, kernel;
 };
 
 template <int Dim>
-std::vector<Document<Dim>> all_of_dimension(const Options& options, std::vector<AnyDocument> any) {
+std::vector<Document<Dim>> all_of_dimension(const BlendArguments& options, std::vector<AnyDocument> any) {
   std::vector<Document<Dim>> documents;
   for (std::size_t i = 0; i < any.size(); ++i) {
     auto* document = std::get_if<Document<Dim>>(&any[i]);
@@ -56,7 +56,7 @@ Document<Dim> frame_of(const std::vector<Document<Dim>>& documents) {
 }
 
 template <int Dim>
-void run(const Options& options, std::optional<Kernel> kernel, std::vector<AnyDocument> any) {
+void run(const BlendArguments& options, std::optional<Kernel> kernel, std::vector<AnyDocument> any) {
   const std::vector<Document<Dim>> documents = all_of_dimension<Dim>(options, std::move(any));
   std::vector<Fit<Dim>> fits;
   for (std::size_t i = 0; i < documents.size(); ++i)
@@ -90,7 +90,7 @@ void run(const Options& options, std::optional<Kernel> kernel, std::vector<AnyDo
 }  // namespace
 
 void add_blend(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BlendArguments>();
   CLI::App* command = program.add_subcommand("blend", "Blend scenes into one: a soft union without bulges");
   command->add_option("SCENE", options->scenes, "Documents in JSON, all 2D or all 3D, at least two")
       ->required()

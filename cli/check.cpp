@@ -21,7 +21,7 @@ namespace seesaw {
 
 namespace {
 
-struct Options {
+struct CheckArguments {
   std::string mesh;
   bool json = false, intersections = false;
 };
@@ -115,7 +115,7 @@ Index known_normals(const PointCloud& cloud) {
   return known;
 }
 
-void run(const Options& options) {
+void run(const CheckArguments& options) {
   const Model model = read_model(options.mesh);
   if (const auto* loaded = std::get_if<LoadedMesh>(&model)) {
     const MeshReport report = check_mesh(loaded->mesh);
@@ -143,7 +143,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_check(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckArguments>();
   CLI::App* command = program.add_subcommand("check", "Read a mesh or point cloud and say what it is worth");
   command
       ->add_option("MESH", options->mesh,

@@ -14,9 +14,9 @@
 
 #include <CLI/CLI.hpp>
 
-#define SEESAW_COMMANDS(command) \
-  command(info) command(eval) command(contour) command(check) command(polygonize) command(fit) command(blend) \
-  command(raytrace)
+#define SEESAW_COMMANDS(command)                                                               \
+  command(info) command(eval) command(contour) command(check) command(polygonize) command(fit) \
+      command(blend) command(raytrace)
 
 namespace seesaw {
 

@@ -23,7 +23,7 @@ namespace seesaw {
 
 namespace {
 
-struct Options {
+struct ContourArguments {
   std::string scene, output;
   std::array<std::string, 4> box;
   bool has_box = false, has_cells = false;
@@ -31,13 +31,6 @@ struct Options {
   int cells = ContourOptions().cells;
   bool field = false, isolines = false;
 };
-
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
-}
 
 Box<2> parse_box(const std::array<std::string, 4>& words) {
   std::array<double, 4> x{};
@@ -62,7 +55,7 @@ Canvas sheet_for(const Box<2>& box, double size) {
   return {side(box.sizes().x()), side(box.sizes().y())};
 }
 
-void run(const Options& options) {
+void run(const ContourArguments& options) {
   const std::string ending = ending_of(options.output);
   const bool picture = ending == ".svg" || ending == ".png" || ending == ".pdf";
   if (!picture && ending != ".csv")
@@ -104,7 +97,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_contour(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ContourArguments>();
   CLI::App* command =
       program.add_subcommand("contour", "Draw the curve of a 2D scene, or write it as numbers");
   command->add_option("SCENE", options->scene, "A 2D document in JSON")->required()->type_name("");

@@ -16,7 +16,7 @@ namespace seesaw {
 
 namespace {
 
-struct Options {
+struct EvalArguments {
   std::string scene, points, output;
   bool gradient = false;
 };
@@ -51,7 +51,7 @@ std::string text_of(const PointsText<Dim>& input, const Values& values, const Po
 }
 
 template <int Dim>
-void run(const Options& options, const Document<Dim>& document) {
+void run(const EvalArguments& options, const Document<Dim>& document) {
   const std::string bytes = read_text(options.points);
   const PointsText<Dim> input = parse_points<Dim>(bytes, name_of_input(options.points));
   const Fit<Dim> fitted = fit_scene(options.scene, document);
@@ -72,7 +72,7 @@ void run(const Options& options, const Document<Dim>& document) {
 }  // namespace
 
 void add_eval(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EvalArguments>();
   CLI::App* command =
       program.add_subcommand("eval", "Evaluate the function of a scene at the points of a file");
   command->add_option("SCENE", options->scene, "A document in JSON, 2D or 3D")->required()->type_name("");

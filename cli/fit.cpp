@@ -21,7 +21,7 @@ namespace seesaw {
 
 namespace {
 
-struct Options {
+struct FitArguments {
   std::string model, output, kernel, side = "inside";
   Index vertices = 0, most = FitModelOptions().most;
   double offset = ModelConstraintOptions().offset, tolerance = 0;
@@ -29,7 +29,7 @@ struct Options {
        keep_normals = false, no_cage = false, keep_strays = false;
 };
 
-FitModelOptions checked(const Options& options) {
+FitModelOptions checked(const FitArguments& options) {
   FitModelOptions result;
   constexpr Index largest = 20000;  // rows^2 doubles: 13 GB
   if (options.has_vertices && (options.vertices < 4 || options.vertices > largest))
@@ -109,7 +109,7 @@ std::string in_both(double fraction, double unit) {
          (unit == 1.0 ? "" : ", " + to_text(fraction * unit, 3) + " units");
 }
 
-void report_on(Table& table, const FittedModel& fitted, const Options& options) {
+void report_on(Table& table, const FittedModel& fitted, const FitArguments& options) {
   const ModelConstraintReport& made = fitted.made.report;
   const FitReport& fit = fitted.fitted.report;
   const double unit = options.unit_cube ? 1.0 : made.cube.scale;
@@ -157,7 +157,7 @@ void report_on(Table& table, const FittedModel& fitted, const Options& options) 
 void note(const std::string& text) { std::cerr << "seesaw: note: " << text << std::endl; }
 
 // No failures, and yet things a person should know.
-void print_notes(const FittedModel& fitted, const Options& options) {
+void print_notes(const FittedModel& fitted, const FitArguments& options) {
   if (fitted.turned)
     note("the normals lead into the model; they were turned (--keep-normals takes them as they are)");
   if (!fitted.trouble.empty()) note("the mesh was sampled instead of simplified: " + fitted.trouble);
@@ -169,7 +169,7 @@ void print_notes(const FittedModel& fitted, const Options& options) {
          " vertices; see --most");
 }
 
-Document<3> document_of(const FittedModel& fitted, const Options& options) {
+Document<3> document_of(const FittedModel& fitted, const FitArguments& options) {
   Document<3> document;
   document.kernel = fitted.fitted.report.kernel;
   const std::string name = std::filesystem::path(options.model).filename().string();
@@ -183,7 +183,7 @@ Document<3> document_of(const FittedModel& fitted, const Options& options) {
   return document;
 }
 
-void run(const Options& options) {
+void run(const FitArguments& options) {
   const FitModelOptions fitting = checked(options);
   refuse_unless_writable(options.output);
   const Model model = read_model(options.model);
@@ -211,7 +211,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_fit(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FitArguments>();
   CLI::App* command =
       program.add_subcommand("fit", "Make a scene of a polygon model or a scan, and say how well it fits");
   command

@@ -24,6 +24,13 @@ void print(std::string_view text) {
   }
 }
 
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending;
+}
+
 void refuse_unless_writable(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) throw FileError(path.string(), "is a folder, not a file");

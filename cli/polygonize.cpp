@@ -24,7 +24,7 @@ namespace seesaw {
 
 namespace {
 
-struct Options {
+struct PolygonizeArguments {
   std::string scene, output;
   std::array<std::string, 6> box;
   bool has_box = false, exhaustive = false, raw = false, text = false, json = false;
@@ -116,7 +116,7 @@ void notes(const Polygonization& result, bool has_box) {
     note("thin parts asked for " + std::to_string(1 << result.halved) + " times the --cells");
 }
 
-void run(const Options& options) {
+void run(const PolygonizeArguments& options) {
   refuse_unknown_ending(options.output);
   refuse_unless_writable(options.output);
   if (options.cells < 1 || options.cells > 65536)
@@ -151,7 +151,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_polygonize(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PolygonizeArguments>();
   CLI::App* command = program.add_subcommand("polygonize", "Turn the surface of a 3D scene into triangles");
   command->add_option("SCENE", options->scene, "A 3D document in JSON")->required()->type_name("");
   command->add_option("-o,--output", options->output, "A name that ends in .obj, .ply, .stl or .off")

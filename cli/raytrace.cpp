@@ -31,20 +31,13 @@ namespace seesaw {
 
 namespace {
 
-struct Options {
+struct RaytraceArguments {
   std::vector<std::string> inputs;
   std::string output, evaluations, csg, size = "800x600", method = "rigorous", floor = "plain";
   std::string eye, target, up, fov;
   int samples = 4;
   double mirror = 0;
 };
-
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
-}
 
 void need_png(const std::string& path) {
   if (ending_of(path) != ".png") throw Error(path + ": expected a name that ends in .png");
@@ -94,8 +87,8 @@ Floor::Look floor_look(const std::string& name) {
 }
 
 // The flags' camera: what they leave open comes from `own`, the document's, or from framing the scene.
-PinholeCamera camera_of(const Options& options, const Scene& scene, const std::optional<PinholeCamera>& own,
-                        double aspect) {
+PinholeCamera camera_of(const RaytraceArguments& options, const Scene& scene,
+                        const std::optional<PinholeCamera>& own, double aspect) {
   Framing framing;
   framing.aspect = aspect;
   if (!options.up.empty()) {
@@ -131,7 +124,7 @@ Progress percent() {
   };
 }
 
-void run(const Options& options) {
+void run(const RaytraceArguments& options) {
   need_png(options.output);
   if (!options.evaluations.empty()) need_png(options.evaluations);
   const auto [width, height] = picture_size(options.size);
@@ -194,7 +187,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_raytrace(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RaytraceArguments>();
   CLI::App* command = program.add_subcommand("raytrace", "Make a picture of 3D scenes and meshes");
   command->add_option("SCENE", options->inputs, "3D documents in JSON, or meshes (.obj, .ply, .stl, .off)")
       ->required()

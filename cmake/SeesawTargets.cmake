@@ -6,6 +6,8 @@ target_compile_options(seesaw_flags INTERFACE
   # g++ 12 sees overlapping copies in std::string that are not there (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${SEESAW_WERROR}>:-Werror>
+  # Files of one folder are compiled together (CMAKE_UNITY_BUILD), where g++ takes their unnamed namespaces for a header's.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
   # Where a processor has fused multiply-add, only code that asks for it by name uses it: digits do not depend on flags.
   -ffp-contract=off)
 if(SEESAW_SANITIZE)

@@ -1,7 +1,6 @@
 #include "figures/signs.h"
 
 #include <cmath>
-#include <limits>
 
 namespace seesaw {
 
@@ -9,7 +8,7 @@ namespace {
 
 constexpr int directions = 360;
 constexpr double searched = 1e8;  // sizes
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double infinite = infinity;
 
 Point<2> direction(int k) {
   return {std::cos(2 * M_PI * k / directions), std::sin(2 * M_PI * k / directions)};

@@ -11,7 +11,7 @@ namespace {
 
 // Longest width over shortest, each the curve's extent along a direction.
 double axis_ratio(const Polyline& curve) {
-  double longest = 0, shortest = std::numeric_limits<double>::infinity();
+  double longest = 0, shortest = infinity;
   for (int k = 0; k < 720; ++k) {
     const Point<2> u(std::cos(M_PI * k / 720), std::sin(M_PI * k / 720));
     const auto along = (u.transpose() * curve.vertices).eval();

@@ -6,10 +6,17 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cstddef>
+#include <limits>
 
 namespace seesaw {
 
 using Index = Eigen::Index;
+
+/// An index as the standard containers count: `faces[slot(i)]`.
+constexpr std::size_t slot(Index i) { return static_cast<std::size_t>(i); }
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// One point or direction, Dim x 1, in scene units.
 template <int Dim>
@@ -29,6 +36,9 @@ using Hessians = Eigen::Matrix<double, Dim * Dim, Eigen::Dynamic>;
 /// An axis-aligned box; `isEmpty()` when no point was ever added.
 template <int Dim>
 using Box = Eigen::AlignedBox<double, Dim>;
+
+/// The signed area of the parallelogram of two directions in the plane: positive when b is left of a.
+inline double cross(const Point<2>& a, const Point<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Read-only points as a function takes them: a whole matrix or a run of its columns, without a copy.
 template <int Dim>

@@ -1,11 +1,7 @@
 #include "core/contour/trace.h"
 
 namespace seesaw {
-namespace {
-
-double cross(const Point<2>& a, const Point<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-}  // namespace
+namespace {}  // namespace
 
 // Green's theorem: half the integral of x dy - y dx around the inside region, counter-clockwise.
 double inside_area(const Crossings& curve, const std::vector<Polyline>& polylines) {

@@ -149,8 +149,7 @@ Points<2> hidden_points(const Lattice& lattice, Sampler& sampler, double toleran
     for (std::size_t k = 0; k < open.size(); ++k) {
       Climber climber = open[k];
       const Index column = static_cast<Index>(k);
-      const double F =
-          std::isfinite(f[column]) ? climber.sign * f[column] : -std::numeric_limits<double>::infinity();
+      const double F = std::isfinite(f[column]) ? climber.sign * f[column] : -infinity;
       if (F > 0) {
         climber.F = F;
         climber.x = climber.trial;

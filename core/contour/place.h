@@ -4,7 +4,6 @@
 // bisects.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "core/contour/seeds.h"
@@ -23,7 +22,7 @@ double size_of(const Triangulation& mesh, int t);
 /// The leaves a seed lies in (several when on an edge), and the longest side of the smallest, in scene units.
 struct Place {
   std::vector<int> leaves;
-  double size = std::numeric_limits<double>::infinity();
+  double size = infinity;
 };
 
 /// The triangles are made if need be.

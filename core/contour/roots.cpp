@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace seesaw {
@@ -14,11 +13,11 @@ struct Search {
   double low = 0, high = 1;  // f(low) >= 0 > f(high)
   double t = 0.5;
   double length = 0;
-  double step = std::numeric_limits<double>::infinity();   // the last step taken, in t
-  bool newton = false;                                     // and whether it was Newton's
-  double size = std::numeric_limits<double>::infinity();   // |f| before it
-  double least = std::numeric_limits<double>::infinity();  // the smallest |f| met
-  int stalled = 0;                                         // Newton steps after which |f| had not halved
+  double step = infinity;   // the last step taken, in t
+  bool newton = false;      // and whether it was Newton's
+  double size = infinity;   // |f| before it
+  double least = infinity;  // the smallest |f| met
+  int stalled = 0;          // Newton steps after which |f| had not halved
 };
 
 // Near a root Newton's steps make |f| much smaller, unless rounding in f has set a floor; more steps there

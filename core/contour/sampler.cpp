@@ -1,7 +1,6 @@
 #include "core/contour/sampler.h"
 
 #include <cmath>
-#include <limits>
 
 namespace seesaw {
 
@@ -9,7 +8,7 @@ void Sampler::tidy(Values& values) {
   for (double& value : values) {
     value -= level_;
     if (!std::isfinite(value)) {
-      value = -std::numeric_limits<double>::infinity();
+      value = -infinity;
       ++nonfinite;
     }
   }

@@ -43,8 +43,6 @@ std::vector<Node> spaced(const std::vector<Node>& nodes, bool closed, const Thin
   return out;
 }
 
-double cross(const Point<2>& a, const Point<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // Without the inner nodes of straight runs. From each node that stays, the next is the farthest whose
 // direction lies within the cone that every node between allows (Reumann and Witkam's idea, as a funnel).
 std::vector<Node> straightened(const std::vector<Node>& nodes, const ThinLimits& limits) {

@@ -7,9 +7,9 @@
 namespace seesaw {
 namespace {
 
-constexpr double chord_cosine = 0.978;    // 12 degrees
-constexpr double sample_cosine = 0.866;   // 30 degrees
-constexpr double corner_cosine = 0.9986;  // 3 degrees; a smooth curve turns less in a 32nd of its chords
+constexpr double least_chord_cosine = 0.978;  // 12 degrees
+constexpr double sample_cosine = 0.866;       // 30 degrees
+constexpr double corner_cosine = 0.9986;      // 3 degrees; a smooth curve turns less in a 32nd of its chords
 constexpr double size_factor = 3;
 // Where the trials look, as fractions of the way from the seed to A or B. The last is 2e-7.
 constexpr double first_trial[] = {0.5, 0.125, 0x1p-6};
@@ -57,7 +57,7 @@ std::vector<Judgement> judge(Crossings& curve, const std::vector<Trial>& trials,
       if (end < 0) continue;
       const Point<2> to_end = curve[end].position - trial.seed->at;
       const Point<2> left = left_of(end == trial.after ? to_end : Point<2>(-to_end));
-      if (!curve[end].gradient.isZero(0) && cosine(curve[end].gradient, left) < chord_cosine)
+      if (!curve[end].gradient.isZero(0) && cosine(curve[end].gradient, left) < least_chord_cosine)
         verdict = Verdict::wrong;
       if (trial.seed->gradient.dot(left) <= 0) verdict = Verdict::wrong;
       const double size = among_themselves ? gradients.col(first).norm() : trial.seed->gradient.norm();

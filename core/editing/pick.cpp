@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/contour/contour.h"
 #include "core/raytrace/rigorous_tracer.h"
@@ -27,7 +26,7 @@ Probe probe(const Field<2>& field, const Point<2>& at) {
 std::optional<Point<2>> onto(const Field<2>& field, Point<2> x, double reach) {
   const Point<2> start = x;
   Point<2> best = x;
-  double best_value = std::numeric_limits<double>::infinity();
+  double best_value = infinity;
   for (int step = 0; step < 30; ++step) {
     const Probe here = probe(field, x);
     if (std::abs(here.value) < best_value) {
@@ -113,7 +112,7 @@ std::optional<Point<2>> nearest_on_curve(const Field<2>& field, const Point<2>& 
   box = grown<2>(box.extend(near), 0.05);
   const Contour curve = contour(field, box, seeds);
   const double extent = box.sizes().maxCoeff();
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   Point<2> best = near;
   for (const Polyline& each : curve.polylines)
     for (Index i = 0; i < each.segments(); ++i) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/image/chart_layout.h"
 
@@ -87,7 +86,7 @@ void draw_reference_labels(Canvas& canvas, const ChartFrame& frame, const Chart&
   style.vertical = VerticalAlign::top;
   const auto place = [&](const Reference& line, const std::vector<Point<2>>& places, const TextSize& size) {
     const Point<2>* best = nullptr;
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (const Point<2>& p : places) {
       if (!plot.inset(-1).contains(p) || !plot.inset(-1).contains(p + Point<2>(size.width, size.height())))
         continue;

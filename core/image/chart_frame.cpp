@@ -43,7 +43,7 @@ std::vector<Tick> Scale::ticks(int about) const {
 }
 
 Scale scale_for(const Axis& axis, const std::vector<double>& values) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = infinity, high = -low;
   for (const double v : values) {
     if (!std::isfinite(v) || (axis.logarithmic && v <= 0)) continue;
     low = std::min(low, v);

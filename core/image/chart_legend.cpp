@@ -1,7 +1,6 @@
 // Which curve is which: a box in the emptiest corner, or each name beside its own curve.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/image/chart_layout.h"
 
@@ -37,7 +36,7 @@ void draw_box(Canvas& canvas, const ChartFrame& frame, const Chart& chart) {
 
   Legend corner = chart.legend;
   if (corner == Legend::automatic) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (const Legend c : {Legend::top_right, Legend::top_left, Legend::bottom_right, Legend::bottom_left}) {
       const double hidden = ink_under(corner_box(frame.plot, width, height, c), frame, chart);
       if (hidden < least) {

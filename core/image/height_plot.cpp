@@ -17,7 +17,7 @@ struct Range {
 };
 
 Range height_range(const HeightPlot& plot) {
-  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Range range{infinity, -infinity};
   const auto see = [&](double z) {
     if (!std::isfinite(z)) return;
     range.low = std::min(range.low, z);

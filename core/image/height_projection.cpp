@@ -35,8 +35,8 @@ HeightProjection::HeightProjection(const Rect& region, const PointsRef<3>& scene
   for (Index i = 0; i < scene.cols(); ++i)
     if (scene.col(i).allFinite()) page.extend(pixel_from_scene(scene.col(i)));
   const Point<2> sizes = page.sizes();
-  scale_ = std::min(sizes.x() > 0 ? region.width / sizes.x() : std::numeric_limits<double>::infinity(),
-                    sizes.y() > 0 ? region.height / sizes.y() : std::numeric_limits<double>::infinity());
+  scale_ = std::min(sizes.x() > 0 ? region.width / sizes.x() : infinity,
+                    sizes.y() > 0 ? region.height / sizes.y() : infinity);
   if (!std::isfinite(scale_)) scale_ = 1;
   origin_ = region.center() - scale_ * page.center();
 }

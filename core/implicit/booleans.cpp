@@ -68,7 +68,6 @@ double Boolean<Dim>::gradient_bound(const Box<Dim>& box) const {
   if (box.isEmpty()) return 0.0;
   const Point<Dim> middle = box.center();
   const double radius = 0.5 * box.diagonal().norm();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   // A winner is nowhere below the best of all lower limits.
   std::vector<double> bounds, highest;
   double floor = -infinity;

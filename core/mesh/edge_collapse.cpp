@@ -15,8 +15,6 @@ namespace seesaw {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // The weighted sum of squared distances to planes, as a quadratic polynomial p' A p + 2 b' p + c.
 struct Quadric {
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
@@ -43,11 +41,11 @@ class Collapser {
       : progress_(progress),
         points_(mesh.vertices),
         faces_(mesh.faces),
-        faces_at_(at(mesh.vertices.cols())),
-        quadrics_(at(mesh.vertices.cols())),
-        on_boundary_(at(mesh.vertices.cols()), 0),
-        version_(at(mesh.vertices.cols()), 0),
-        dead_(at(mesh.faces.cols()), 0) {
+        faces_at_(slot(mesh.vertices.cols())),
+        quadrics_(slot(mesh.vertices.cols())),
+        on_boundary_(slot(mesh.vertices.cols()), 0),
+        version_(slot(mesh.vertices.cols()), 0),
+        dead_(slot(mesh.faces.cols()), 0) {
     // Around the middle and in units of the size, so that the quadrics keep their digits.
     const Box<3> box = bounding_box_of<3>(points_);
     if (!box.isEmpty()) points_.colwise() -= Point<3>(box.center());
@@ -56,22 +54,22 @@ class Collapser {
     const EdgeTable table(faces_, points_.cols());
     for (Index f = 0; f < faces_.cols(); ++f) {
       if (table.skipped(f)) {
-        dead_[at(f)] = 1;
+        dead_[slot(f)] = 1;
         continue;
       }
       const Point<3> normal = normal_of(faces_.col(f));
       const double twice_area = normal.norm();
       for (int k = 0; k < 3; ++k) {
-        faces_at_[at(faces_(k, f))].push_back(static_cast<int>(f));
+        faces_at_[slot(faces_(k, f))].push_back(static_cast<int>(f));
         if (twice_area > 0)
-          quadrics_[at(faces_(k, f))].add_plane(normal / twice_area, points_.col(faces_(k, f)),
-                                                twice_area / 6);
+          quadrics_[slot(faces_(k, f))].add_plane(normal / twice_area, points_.col(faces_(k, f)),
+                                                  twice_area / 6);
       }
     }
     for (Index e = 0; e < table.edges(); ++e)
       if (table.halves(e).size() == 1)
         hold_boundary(table.ends(e).a, table.ends(e).b, table.halves(e)[0] / 3);
-    for (Index v = 0; v < points_.cols(); ++v) alive_ += !faces_at_[at(v)].empty();
+    for (Index v = 0; v < points_.cols(); ++v) alive_ += !faces_at_[slot(v)].empty();
   }
 
   void run(Index vertices) {
@@ -92,7 +90,7 @@ class Collapser {
     Faces left(3, faces_.cols());
     Index n = 0;
     for (Index f = 0; f < faces_.cols(); ++f)
-      if (!dead_[at(f)]) left.col(n++) = faces_.col(f);
+      if (!dead_[slot(f)]) left.col(n++) = faces_.col(f);
     return left.leftCols(n);
   }
 
@@ -113,7 +111,7 @@ class Collapser {
         report(progress_, static_cast<double>(start - alive_) / static_cast<double>(start - vertices));
       const Candidate best = queue_.top();
       queue_.pop();
-      if (best.u_version != version_[at(best.u)] || best.v_version != version_[at(best.v)]) continue;
+      if (best.u_version != version_[slot(best.u)] || best.v_version != version_[slot(best.v)]) continue;
       if (allowed(best.u, best.v)) collapse(best.u, best.v);
     }
   }
@@ -125,17 +123,17 @@ class Collapser {
 
   // A rim is held by planes that stand upright on its faces.
   void hold_boundary(int a, int b, Index face) {
-    on_boundary_[at(a)] = on_boundary_[at(b)] = 1;
+    on_boundary_[slot(a)] = on_boundary_[slot(b)] = 1;
     const Point<3> along = points_.col(b) - points_.col(a);
     const Point<3> upright = along.cross(normal_of(faces_.col(face))).stableNormalized();
-    for (const int v : {a, b}) quadrics_[at(v)].add_plane(upright, points_.col(a), along.squaredNorm());
+    for (const int v : {a, b}) quadrics_[slot(v)].add_plane(upright, points_.col(a), along.squaredNorm());
   }
 
   void offer(int a, int b) {
-    Quadric both = quadrics_[at(a)];
-    both.add(quadrics_[at(b)]);
+    Quadric both = quadrics_[slot(a)];
+    both.add(quadrics_[slot(b)]);
     for (const auto& [u, v] : {std::pair(a, b), std::pair(b, a)})
-      queue_.push({both.at(points_.col(v)), u, v, version_[at(u)], version_[at(v)]});
+      queue_.push({both.at(points_.col(v)), u, v, version_[slot(u)], version_[slot(v)]});
   }
 
   bool has(int face, int vertex) const {
@@ -144,7 +142,7 @@ class Collapser {
 
   void neighbors(int vertex, std::vector<int>& result) const {
     result.clear();
-    for (const int f : faces_at_[at(vertex)])
+    for (const int f : faces_at_[slot(vertex)])
       for (int k = 0; k < 3; ++k)
         if (faces_(k, f) != vertex) result.push_back(faces_(k, f));
     std::sort(result.begin(), result.end());
@@ -154,7 +152,7 @@ class Collapser {
   bool allowed(int u, int v) {
     std::array<int, 2> tips{};
     std::size_t shared = 0;
-    for (const int f : faces_at_[at(u)])
+    for (const int f : faces_at_[slot(u)])
       if (has(f, v)) {
         if (shared == 2) return false;
         tips[shared++] = faces_(0, f) + faces_(1, f) + faces_(2, f) - u - v;
@@ -162,7 +160,7 @@ class Collapser {
     if (shared == 0) return false;
     const bool rim = shared == 1;
     // Between two rims, or from a rim inward, no edge collapses but along the rim itself.
-    if (on_boundary_[at(u)] && !rim) return false;
+    if (on_boundary_[slot(u)] && !rim) return false;
     neighbors(u, around_u_);
     neighbors(v, around_v_);
     common_.clear();
@@ -170,11 +168,11 @@ class Collapser {
                           std::back_inserter(common_));
     if (common_.size() != shared) return false;
     // A tetrahedron's edge: both ends have a face with both tips, and would leave the same face twice.
-    for (const int f : faces_at_[at(u)])
+    for (const int f : faces_at_[slot(u)])
       if (shared == 2 && has(f, tips[0]) && has(f, tips[1])) return false;
     // A lone triangle, or the last but one of a rim.
     if (rim && around_u_.size() == 2 && around_v_.size() == 2) return false;
-    for (const int f : faces_at_[at(u)]) {
+    for (const int f : faces_at_[slot(u)]) {
       if (has(f, v)) continue;
       Eigen::Vector3i face = faces_.col(f);
       const Point<3> before = normal_of(face);
@@ -187,21 +185,21 @@ class Collapser {
   }
 
   void collapse(int u, int v) {
-    for (const int f : faces_at_[at(u)]) {
+    for (const int f : faces_at_[slot(u)]) {
       if (has(f, v)) {
-        dead_[at(f)] = 1;
+        dead_[slot(f)] = 1;
         for (int k = 0; k < 3; ++k)
-          if (faces_(k, f) != u) std::erase(faces_at_[at(faces_(k, f))], f);
+          if (faces_(k, f) != u) std::erase(faces_at_[slot(faces_(k, f))], f);
       } else {
         for (int k = 0; k < 3; ++k)
           if (faces_(k, f) == u) faces_(k, f) = v;
-        faces_at_[at(v)].push_back(f);
+        faces_at_[slot(v)].push_back(f);
       }
     }
-    faces_at_[at(u)].clear();
-    quadrics_[at(v)].add(quadrics_[at(u)]);
-    ++version_[at(u)];
-    ++version_[at(v)];
+    faces_at_[slot(u)].clear();
+    quadrics_[slot(v)].add(quadrics_[slot(u)]);
+    ++version_[slot(u)];
+    ++version_[slot(v)];
     --alive_;
     neighbors(v, around_v_);
     for (const int w : around_v_) offer(v, w);

@@ -12,8 +12,6 @@ namespace seesaw {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 void count_edges(const Faces& faces, const EdgeTable& table, MeshReport& report) {
   report.edges = table.edges();
   report.closed = table.edges() > 0;
@@ -46,23 +44,23 @@ DisjointSets fans_of(const Faces& faces, const EdgeTable& table) {
 }
 
 void count_vertices(const Faces& faces, const EdgeTable& table, DisjointSets& fans, MeshReport& report) {
-  std::vector<int> fans_at(at(report.vertices), 0);
+  std::vector<int> fans_at(slot(report.vertices), 0);
   for (Index c = 0; c < 3 * faces.cols(); ++c)
-    if (!table.skipped(c / 3) && fans.find(c) == c) ++fans_at[at(faces(c % 3, c / 3))];
+    if (!table.skipped(c / 3) && fans.find(c) == c) ++fans_at[slot(faces(c % 3, c / 3))];
   for (const int n : fans_at) report.nonmanifold_vertices += n > 1;
   report.manifold = report.nonmanifold_edges == 0 && report.nonmanifold_vertices == 0;
 }
 
 // The two boundary edges at either end of a fan are neighbors in one chain.
 void count_boundary_loops(const EdgeTable& table, DisjointSets& fans, MeshReport& report) {
-  std::vector<int> edge_at(3 * at(report.faces), -1);  // by the fan
+  std::vector<int> edge_at(3 * slot(report.faces), -1);  // by the fan
   DisjointSets chains(table.edges());
   for (Index e = 0; e < table.edges(); ++e) {
     const auto halves = table.halves(e);
     if (halves.size() != 1) continue;
     const int h = halves[0];
     for (const int corner : {h, h - h % 3 + (h + 1) % 3}) {
-      int& other = edge_at[at(fans.find(corner))];
+      int& other = edge_at[slot(fans.find(corner))];
       if (other >= 0) chains.unite(e, other);
       other = static_cast<int>(e);
     }
@@ -74,21 +72,21 @@ void count_boundary_loops(const EdgeTable& table, DisjointSets& fans, MeshReport
 // V - E + F, and the pieces.
 void count_components(const Faces& faces, const EdgeTable& table, MeshReport& report) {
   DisjointSets pieces(report.vertices);
-  std::vector<char> in_use(at(report.vertices), 0), in_face(at(report.vertices), 0);
+  std::vector<char> in_use(slot(report.vertices), 0), in_face(slot(report.vertices), 0);
   Index proper_faces = 0;
   for (Index f = 0; f < faces.cols(); ++f) {
-    for (int k = 0; k < 3; ++k) in_face[at(faces(k, f))] = 1;
+    for (int k = 0; k < 3; ++k) in_face[slot(faces(k, f))] = 1;
     if (table.skipped(f)) continue;
     ++proper_faces;
-    for (int k = 0; k < 3; ++k) in_use[at(faces(k, f))] = 1;
+    for (int k = 0; k < 3; ++k) in_use[slot(faces(k, f))] = 1;
     pieces.unite(faces(0, f), faces(1, f));
     pieces.unite(faces(0, f), faces(2, f));
   }
   Index used = 0;
   for (Index v = 0; v < report.vertices; ++v) {
-    used += in_use[at(v)];
-    report.unused_vertices += !in_face[at(v)];
-    report.components += in_use[at(v)] && pieces.find(v) == v;
+    used += in_use[slot(v)];
+    report.unused_vertices += !in_face[slot(v)];
+    report.components += in_use[slot(v)] && pieces.find(v) == v;
   }
   report.euler_characteristic = used - report.edges + proper_faces;
   if (report.closed && report.manifold && report.oriented)

@@ -21,8 +21,6 @@ namespace {
 
 using Face = std::array<int, 3>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 // The soup's polygons as triangles over `name_of[v]` in place of v.
 std::vector<Face> triangles_of(const PolygonSoup& soup, const std::vector<int>& name_of,
                                MeshRepairs& repairs) {
@@ -32,7 +30,7 @@ std::vector<Face> triangles_of(const PolygonSoup& soup, const std::vector<int>& 
   for (Index p = 0; p < soup.polygons(); ++p) {
     polygon.clear();
     for (const int v : soup.polygon(p))
-      if (polygon.empty() || polygon.back() != name_of[at(v)]) polygon.push_back(name_of[at(v)]);
+      if (polygon.empty() || polygon.back() != name_of[slot(v)]) polygon.push_back(name_of[slot(v)]);
     while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
     if (polygon.size() < 3) {
       ++repairs.degenerate_faces;
@@ -56,7 +54,7 @@ void drop_duplicates(std::vector<Face>& faces, MeshRepairs& repairs) {
   std::sort(sorted.begin(), sorted.end());
   std::vector<char> twice(faces.size(), 0);
   for (std::size_t i = 1; i < sorted.size(); ++i)
-    if (sorted[i].first == sorted[i - 1].first) twice[at(sorted[i].second)] = 1;
+    if (sorted[i].first == sorted[i - 1].first) twice[slot(sorted[i].second)] = 1;
   std::size_t kept = 0;
   for (std::size_t f = 0; f < faces.size(); ++f)
     if (!twice[f]) faces[kept++] = faces[f];
@@ -81,7 +79,7 @@ LoadedMesh build(const PolygonSoup& soup, const std::vector<int>& name_of, const
   result.mesh.vertices = soup.points();
   result.mesh.faces.resize(3, static_cast<Index>(faces.size()));
   for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int k = 0; k < 3; ++k) result.mesh.faces(k, static_cast<Index>(f)) = faces[f][at(k)];
+    for (int k = 0; k < 3; ++k) result.mesh.faces(k, static_cast<Index>(f)) = faces[f][slot(k)];
   if (options.orient) {
     const OrientationReport turned = orient_faces(result.mesh);
     repairs.turned_faces = turned.turned_faces;
@@ -96,7 +94,7 @@ void keep_used_vertices(const PolygonSoup& soup, const std::vector<int>& name_of
   TriangleMesh& mesh = result.mesh;
   std::vector<int> number(name_of.size(), -1);
   for (Index f = 0; f < mesh.faces.cols(); ++f)
-    for (int k = 0; k < 3; ++k) number[at(mesh.faces(k, f))] = 0;
+    for (int k = 0; k < 3; ++k) number[slot(mesh.faces(k, f))] = 0;
   int used = 0;
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] == 0) {
@@ -107,13 +105,13 @@ void keep_used_vertices(const PolygonSoup& soup, const std::vector<int>& name_of
     }
   }
   mesh.vertices.conservativeResize(3, used);
-  mesh.faces = mesh.faces.unaryExpr([&](int v) { return number[at(v)]; });
+  mesh.faces = mesh.faces.unaryExpr([&](int v) { return number[slot(v)]; });
 
   if (soup.normals.empty() || result.repairs.turned_faces + result.repairs.turned_shells > 0) return;
   const Eigen::Map<const Points<3>> given(soup.normals.data(), 3, soup.vertices());
   Points<3> normals = Points<3>::Zero(3, used);
   for (std::size_t v = 0; v < number.size(); ++v) {
-    const int n = number[at(name_of[v])];
+    const int n = number[slot(name_of[v])];
     if (n < 0) continue;
     const Point<3> normal = Point<3>(given.col(static_cast<Index>(v))).stableNormalized();
     if (!(normal.squaredNorm() > 0.5)) return;                                 // zero, or not a number
@@ -126,7 +124,7 @@ void keep_used_vertices(const PolygonSoup& soup, const std::vector<int>& name_of
 }  // namespace
 
 LoadedMesh repair(const PolygonSoup& soup, const RepairOptions& options) {
-  std::vector<int> itself(at(soup.vertices()));
+  std::vector<int> itself(slot(soup.vertices()));
   std::iota(itself.begin(), itself.end(), 0);
   std::vector<int> name_of = options.weld ? first_of_equals(soup.points()) : itself;
   LoadedMesh result = build(soup, name_of, options);
@@ -147,7 +145,7 @@ LoadedMesh repair(const TriangleMesh& mesh, const RepairOptions& options) {
   soup.coordinates.assign(mesh.vertices.data(), mesh.vertices.data() + mesh.vertices.size());
   if (mesh.has_normals()) soup.normals.assign(mesh.normals.data(), mesh.normals.data() + mesh.normals.size());
   soup.corners.assign(mesh.faces.data(), mesh.faces.data() + mesh.faces.size());
-  for (Index f = 1; f <= mesh.faces.cols(); ++f) soup.ends.push_back(at(3 * f));
+  for (Index f = 1; f <= mesh.faces.cols(); ++f) soup.ends.push_back(slot(3 * f));
   return repair(soup, options);
 }
 

@@ -1,7 +1,6 @@
 #include "core/mesh/orientation.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -13,16 +12,14 @@ namespace seesaw {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 class Orienter {
  public:
   explicit Orienter(TriangleMesh& mesh)
-      : mesh_(mesh), table_(mesh.faces, mesh.vertices.cols()), patch_of_(at(mesh.faces.cols()), -1) {}
+      : mesh_(mesh), table_(mesh.faces, mesh.vertices.cols()), patch_of_(slot(mesh.faces.cols()), -1) {}
 
   OrientationReport run() {
     for (Index f = 0; f < mesh_.faces.cols(); ++f)
-      if (patch_of_[at(f)] < 0 && !table_.skipped(f)) flood(f);
+      if (patch_of_[slot(f)] < 0 && !table_.skipped(f)) flood(f);
     find_closed();
     turn_inside_out();
     return report_;
@@ -42,9 +39,9 @@ class Orienter {
     const auto number = static_cast<int>(patches_.size());
     bool one_sided = false;
     std::vector<char>& turned = turned_;
-    turned.resize(at(mesh_.faces.cols()), 0);
+    turned.resize(slot(mesh_.faces.cols()), 0);
     patch.faces.push_back(static_cast<int>(start));
-    patch_of_[at(start)] = number;
+    patch_of_[slot(start)] = number;
     Index turned_count = 0;
     for (std::size_t i = 0; i < patch.faces.size(); ++i) {
       const int f = patch.faces[i];
@@ -54,13 +51,13 @@ class Orienter {
         if (halves.size() != 2) continue;
         const int other = halves[0] == h ? halves[1] : halves[0], g = other / 3;
         const bool agree = start_of(mesh_.faces, h) != start_of(mesh_.faces, other);
-        const char expected = static_cast<char>(turned[at(f)] ^ static_cast<char>(!agree));
-        if (patch_of_[at(g)] < 0) {
-          patch_of_[at(g)] = number;
-          turned[at(g)] = expected;
+        const char expected = static_cast<char>(turned[slot(f)] ^ static_cast<char>(!agree));
+        if (patch_of_[slot(g)] < 0) {
+          patch_of_[slot(g)] = number;
+          turned[slot(g)] = expected;
           turned_count += expected;
           patch.faces.push_back(g);
-        } else if (turned[at(g)] != expected) {
+        } else if (turned[slot(g)] != expected) {
           one_sided = true;
         }
       }
@@ -73,7 +70,7 @@ class Orienter {
       const auto all = static_cast<Index>(patch.faces.size());
       const char minority = 2 * turned_count > all ? 0 : 1;
       for (const int f : patch.faces) {
-        if (turned[at(f)] != minority) continue;
+        if (turned[slot(f)] != minority) continue;
         turn(f);
         ++report_.turned_faces;
       }
@@ -90,13 +87,13 @@ class Orienter {
     for (Index e = 0; e < table.edges(); ++e) {
       balance.clear();
       for (const int h : table.halves(e))
-        balance.emplace_back(patch_of_[at(h / 3)], start_of(mesh_.faces, h) == table.ends(e).a ? 1 : -1);
+        balance.emplace_back(patch_of_[slot(h / 3)], start_of(mesh_.faces, h) == table.ends(e).a ? 1 : -1);
       std::sort(balance.begin(), balance.end());
       for (std::size_t i = 0; i < balance.size();) {
         const int patch = balance[i].first;
         int sum = 0;
         for (; i < balance.size() && balance[i].first == patch; ++i) sum += balance[i].second;
-        if (sum != 0) patches_[at(patch)].closed = false;
+        if (sum != 0) patches_[slot(patch)].closed = false;
       }
     }
     for (Patch& patch : patches_) {
@@ -116,10 +113,10 @@ class Orienter {
 
   // Which closed patches does a ray from p along +x leave an odd number of times?
   std::vector<int> containers(const FaceBoxes& tree, const Point<3>& p, int but) const {
-    Box<3> ray(p, Point<3>(std::numeric_limits<double>::infinity(), p.y(), p.z()));
+    Box<3> ray(p, Point<3>(infinity, p.y(), p.z()));
     std::vector<int> crossed;
     tree.visit(ray, [&](int f) {
-      const int patch = patch_of_[at(f)];
+      const int patch = patch_of_[slot(f)];
       if (patch != but && crosses(f, p)) crossed.push_back(patch);
     });
     std::sort(crossed.begin(), crossed.end());
@@ -167,7 +164,7 @@ class Orienter {
       if (!patch.closed) continue;
       for (const int c : containers(tree, corner(patch.faces.front(), 0), static_cast<int>(i)))
         // Shapes that merely overlap do not contain one another.
-        if (patches_[at(c)].box.contains(patch.box)) patch.around.push_back(c);
+        if (patches_[slot(c)].box.contains(patch.box)) patch.around.push_back(c);
     }
     std::vector<char> turns(patches_.size(), 0);
     for (std::size_t i = 0; i < patches_.size(); ++i)
@@ -175,7 +172,7 @@ class Orienter {
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       const Patch& patch = patches_[i];
       const bool outermost_turns = std::any_of(patch.around.begin(), patch.around.end(), [&](int c) {
-        return patches_[at(c)].around.empty() && turns[at(c)];
+        return patches_[slot(c)].around.empty() && turns[slot(c)];
       });
       const bool should_look_in = patch.around.size() % 2 == 1;
       if (outermost_turns) turns[i] = should_look_in ? patch.volume > 0 : patch.volume < 0;

@@ -77,17 +77,17 @@ class Ring {
       if (turn_[i] <= 0) grid_->add(static_cast<int>(i), flat_[i]);
   }
 
-  int before(int i) const { return before_[at(i)]; }
-  int after(int i) const { return after_[at(i)]; }
+  int before(int i) const { return before_[slot(i)]; }
+  int after(int i) const { return after_[slot(i)]; }
 
   bool is_ear(int i) const {
-    if (turn_[at(i)] <= 0) return false;
+    if (turn_[slot(i)] <= 0) return false;
     const int a = before(i), b = after(i);
-    const Point<2>&pa = flat_[at(a)], &pi = flat_[at(i)], &pb = flat_[at(b)];
+    const Point<2>&pa = flat_[slot(a)], &pi = flat_[slot(i)], &pb = flat_[slot(b)];
     // Only a corner that does not turn left can be the first to stand in the way.
     return !grid_->any(pa.cwiseMin(pi).cwiseMin(pb), pa.cwiseMax(pi).cwiseMax(pb), [&](int j) {
-      if (turn_[at(j)] > 0) return false;
-      const Point<2>& p = flat_[at(j)];
+      if (turn_[slot(j)] > 0) return false;
+      const Point<2>& p = flat_[slot(j)];
       // Where a hole was joined to the rim by a double edge, one place is several corners.
       if (p == pa || p == pi || p == pb) return false;
       return side_of_line(pa, pi, p) >= 0 && side_of_line(pi, pb, p) >= 0 && side_of_line(pb, pa, p) >= 0;
@@ -96,26 +96,25 @@ class Ring {
 
   void cut(int i, std::vector<std::array<int, 3>>& triangles) {
     const int a = before(i), b = after(i);
-    triangles.push_back({polygon_[at(a)], polygon_[at(i)], polygon_[at(b)]});
-    after_[at(a)] = b;
-    before_[at(b)] = a;
-    turn_[at(i)] = 1;  // no longer in anybody's way
+    triangles.push_back({polygon_[slot(a)], polygon_[slot(i)], polygon_[slot(b)]});
+    after_[slot(a)] = b;
+    before_[slot(b)] = a;
+    turn_[slot(i)] = 1;  // no longer in anybody's way
     for (const int corner : {a, b}) {
-      const int old = turn_[at(corner)];
-      turn_[at(corner)] = measured_turn(corner);
+      const int old = turn_[slot(corner)];
+      turn_[slot(corner)] = measured_turn(corner);
       // Only where the polygon crosses itself.
-      if (old > 0 && turn_[at(corner)] <= 0) grid_->add(corner, flat_[at(corner)]);
+      if (old > 0 && turn_[slot(corner)] <= 0) grid_->add(corner, flat_[slot(corner)]);
     }
   }
 
-  bool turns_right(int i) const { return turn_[at(i)] < 0; }
+  bool turns_right(int i) const { return turn_[slot(i)] < 0; }
 
-  double diagonal(int i) const { return (space_[at(before(i))] - space_[at(after(i))]).squaredNorm(); }
+  double diagonal(int i) const { return (space_[slot(before(i))] - space_[slot(after(i))]).squaredNorm(); }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   int measured_turn(int i) const {
-    return side_of_line(flat_[at(before(i))], flat_[at(i)], flat_[at(after(i))]);
+    return side_of_line(flat_[slot(before(i))], flat_[slot(i)], flat_[slot(after(i))]);
   }
 
   std::span<const int> polygon_;

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/base/text.h"
 
 namespace seesaw {
 namespace {
-
-double cross(const Point<2>& a, const Point<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // The exact sign of a sum of numbers, by the transformation of Rump, Ogita and Oishi in its plainest form:
 // error-free additions until the leading number outweighs all others together.
@@ -101,7 +98,7 @@ int winding_number(const std::vector<Polyline>& polylines, const Point<2>& point
 }
 
 double distance(const Polyline& polyline, const Point<2>& point) {
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = infinity;
   if (polyline.vertices.cols() > 0) nearest = (polyline.vertices.col(0) - point).norm();
   for_each_segment(polyline, [&](const Point<2>& a, const Point<2>& b) {
     const Point<2> along = b - a;

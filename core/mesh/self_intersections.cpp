@@ -17,7 +17,7 @@ using Triangle = std::array<Point<3>, 3>;
 // The plane's points seen along axis `axis`.
 Point<2> flat(const Point<3>& p, int axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
 
-int side_of_line(const Point<3>& a, const Point<3>& b, const Point<3>& c, int axis) {
+int side_seen_along(const Point<3>& a, const Point<3>& b, const Point<3>& c, int axis) {
   return seesaw::side_of_line(flat(a, axis), flat(b, axis), flat(c, axis));
 }
 
@@ -28,7 +28,7 @@ int axis_of(const Triangle& t) {
   normal.maxCoeff(&best);
   for (int k = 0; k < 3; ++k) {
     const int axis = (static_cast<int>(best) + k) % 3;
-    if (side_of_line(t[0], t[1], t[2], axis) != 0) return axis;
+    if (side_seen_along(t[0], t[1], t[2], axis) != 0) return axis;
   }
   return -1;
 }
@@ -49,7 +49,7 @@ bool segments_meet(const Point<2>& a, const Point<2>& b, const Point<2>& p, cons
 bool segment_meets_triangle_in_plane(const Point<3>& p, const Point<3>& q, const Triangle& t, int axis) {
   int left = 0, right = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const int side = side_of_line(t[k], t[(k + 1) % 3], p, axis);
+    const int side = side_seen_along(t[k], t[(k + 1) % 3], p, axis);
     left += side >= 0;
     right += side <= 0;
   }
@@ -100,7 +100,7 @@ class Pairs {
       const Point<3>& from = a[static_cast<std::size_t>(f_common[0])];
       const Point<3>& to = a[static_cast<std::size_t>(f_common[1])];
       const int axis = axes_[static_cast<std::size_t>(f)];
-      return side_of_line(from, to, a_tip, axis) == side_of_line(from, to, b_tip, axis);
+      return side_seen_along(from, to, a_tip, axis) == side_seen_along(from, to, b_tip, axis);
     }
     const auto side_meets = [](const Triangle& s, int corner, const Triangle& t, int axis) {
       return segment_meets_triangle(s[static_cast<std::size_t>((corner + 1) % 3)],

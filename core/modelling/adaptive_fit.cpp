@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -68,9 +67,7 @@ std::vector<Index> worst(const Points<3>& points, const Values& errors, double e
   std::vector<Index> order;
   for (Index i = 0; i < errors.size(); ++i)
     if (!(errors[i] <= enough)) order.push_back(i);
-  const auto size = [&](Index i) {
-    return std::isnan(errors[i]) ? std::numeric_limits<double>::infinity() : errors[i];
-  };
+  const auto size = [&](Index i) { return std::isnan(errors[i]) ? infinity : errors[i]; };
   std::sort(order.begin(), order.end(),
             [&](Index a, Index b) { return size(a) > size(b) || (size(a) == size(b) && a < b); });
   std::vector<Index> result;

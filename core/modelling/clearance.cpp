@@ -15,8 +15,6 @@ namespace seesaw {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// The boxes of one generation of one surface: all of one size.
 struct Boxes {
   const Field<3>* field;
@@ -104,9 +102,9 @@ Pair slide(const std::array<const Field<3>*, 2>& fields, Pair pair, double scale
   return pair;
 }
 
-class Search {
+class ClearanceSearch {
  public:
-  Search(const Field<3>& a, const Field<3>& b, const ClearanceOptions& options)
+  ClearanceSearch(const Field<3>& a, const Field<3>& b, const ClearanceOptions& options)
       : fields_{&a, &b}, boxes_{first_of(a), first_of(b)}, options_(options) {
     const Box<3> both = Box<3>(a.bounding_box()).extend(b.bounding_box());
     scale_ = both.isEmpty() ? 0.0 : both.sizes().maxCoeff();
@@ -179,7 +177,7 @@ class Search {
 
 Clearance clearance(const Field<3>& a, const Field<3>& b, const ClearanceOptions& options,
                     const Progress& progress) {
-  return Search(a, b, options).run(progress);
+  return ClearanceSearch(a, b, options).run(progress);
 }
 
 }  // namespace seesaw

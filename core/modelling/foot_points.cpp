@@ -1,7 +1,6 @@
 #include "core/modelling/foot_points.h"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace seesaw {
@@ -11,7 +10,7 @@ namespace {
 double first_order(double value, const Point<3>& gradient) {
   if (value == 0) return 0;
   const double slope = gradient.norm();
-  return slope > 0 ? std::abs(value) / slope : std::numeric_limits<double>::infinity();
+  return slope > 0 ? std::abs(value) / slope : infinity;
 }
 
 }  // namespace
@@ -55,7 +54,7 @@ Values foot_distances(const Field<3>& field, const PointsRef<3>& points, double 
 
 std::optional<Point<3>> foot_point(const Field<3>& field, const Point<3>& from, double tolerance) {
   Point<3> x = from;
-  double before = std::numeric_limits<double>::infinity();
+  double before = infinity;
   Values value(1);
   Points<3> gradient(3, 1);
   for (int step = 0; step < 60; ++step) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -19,8 +18,8 @@ struct Part {
   State state = State::open;
   double value = 0;
   Point<3> gradient = Point<3>::Zero();
-  double slope = std::numeric_limits<double>::infinity();  // a bound that holds in the cell
-  int age = 0;                                             // generations since it was asked for
+  double slope = infinity;  // a bound that holds in the cell
+  int age = 0;              // generations since it was asked for
 };
 
 struct Cell {
@@ -66,9 +65,10 @@ double share_inside(const Cell& cell, const Point<3>& sides) {
   return sum / (cut * cut * cut);
 }
 
-class Search {
+class InterferenceSearch {
  public:
-  Search(const Field<3>& a, const Field<3>& b, const InterferenceOptions& options, const Progress& progress)
+  InterferenceSearch(const Field<3>& a, const Field<3>& b, const InterferenceOptions& options,
+                     const Progress& progress)
       : fields_{&a, &b}, options_(options), progress_(progress) {
     box_ = options.box ? *options.box : a.bounding_box().intersection(b.bounding_box());
   }
@@ -215,7 +215,7 @@ class Search {
 
   // Called while the open parts still have the values of this very cell; those of the others are forebears'.
   void note(const Cell& cell) {
-    double depth = std::numeric_limits<double>::infinity();
+    double depth = infinity;
     bool exact = true;
     for (const Part& part : cell.parts) {
       if (part.state == State::open) depth = std::min(depth, part.value);
@@ -288,7 +288,7 @@ class Search {
 
 Interference interference(const Field<3>& a, const Field<3>& b, const InterferenceOptions& options,
                           const Progress& progress) {
-  return Search(a, b, options, progress).run();
+  return InterferenceSearch(a, b, options, progress).run();
 }
 
 }  // namespace seesaw

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/check.h"
 #include "core/base/parallel.h"
@@ -14,7 +13,7 @@ PointSample farthest_points(const PointsRef<3>& points, Index count, const std::
   PointSample sample;
   const Index n = points.cols();
   if (n == 0 || count <= 0) return sample;
-  Values squares = Values::Constant(n, std::numeric_limits<double>::infinity());
+  Values squares = Values::Constant(n, infinity);
   // Blocks keep their own farthest point, so that one pass updates and finds.
   constexpr Index block = 16384;
   const Index blocks = (n + block - 1) / block;

@@ -6,17 +6,11 @@
 
 namespace seesaw {
 
-namespace {
-
-std::size_t at_index(Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 PointTree::PointTree(const std::vector<Point<3>>& points) : indices_(points.size()) {
   std::iota(indices_.begin(), indices_.end(), Index{0});
   if (!points.empty()) build(0, static_cast<Index>(points.size()), points);
   points_.reserve(points.size());
-  for (const Index i : indices_) points_.push_back(points[at_index(i)]);
+  for (const Index i : indices_) points_.push_back(points[slot(i)]);
 }
 
 void PointTree::build(Index begin, Index end, const std::vector<Point<3>>& points) {
@@ -24,7 +18,7 @@ void PointTree::build(Index begin, Index end, const std::vector<Point<3>>& point
   const std::size_t self = nodes_.size();
   nodes_.push_back({{}, begin, end, -1});
   Box<3> box;
-  for (Index i = begin; i < end; ++i) box.extend(points[at_index(indices_[at_index(i)])]);
+  for (Index i = begin; i < end; ++i) box.extend(points[slot(indices_[slot(i)])]);
   nodes_[self].box = box;
   if (end - begin <= leaf) return;
   int axis = 0;
@@ -32,7 +26,7 @@ void PointTree::build(Index begin, Index end, const std::vector<Point<3>>& point
   const Index middle = begin + (end - begin) / 2;
   std::nth_element(indices_.begin() + begin, indices_.begin() + middle, indices_.begin() + end,
                    [&](Index i, Index j) {
-                     const double a = points[at_index(i)][axis], b = points[at_index(j)][axis];
+                     const double a = points[slot(i)][axis], b = points[slot(j)][axis];
                      return a < b || (a == b && i < j);
                    });
   build(begin, middle, points);
@@ -41,22 +35,21 @@ void PointTree::build(Index begin, Index end, const std::vector<Point<3>>& point
 }
 
 PointTree::Nearest PointTree::nearest(const Point<3>& at, const Point<3>& reach) const {
-  double best = std::numeric_limits<double>::infinity();
+  double best = infinity;
   Index which = -1;
   const auto squared = [&](const Point<3>& away) {
     return (away.cwiseAbs() - reach).cwiseMax(0).squaredNorm();
   };
   const auto to_box = [&](Index node) {
-    const Box<3>& box = nodes_[at_index(node)].box;
+    const Box<3>& box = nodes_[slot(node)].box;
     return squared((box.min() - at).cwiseMax(at - box.max()).cwiseMax(0));
   };
   const auto search = [&](const auto& self, Index node) -> void {
-    const Node& here = nodes_[at_index(node)];
+    const Node& here = nodes_[slot(node)];
     if (here.right < 0) {
       for (Index i = here.begin; i < here.end; ++i) {
-        const double its = squared(points_[at_index(i)] - at);
-        if (its < best || (its == best && indices_[at_index(i)] < which))
-          best = its, which = indices_[at_index(i)];
+        const double its = squared(points_[slot(i)] - at);
+        if (its < best || (its == best && indices_[slot(i)] < which)) best = its, which = indices_[slot(i)];
       }
       return;
     }

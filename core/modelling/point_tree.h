@@ -8,7 +8,6 @@
 // beat what is known.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "core/base/types.h"
@@ -22,7 +21,7 @@ class PointTree {
 
   struct Nearest {
     Index index = -1;  ///< -1: there are no points
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = infinity;
   };
   /// The point with the smallest |max(|point - at| - reach, 0)|, `reach` >= 0; of equally near ones the one
   /// with the lowest index. About log N points.

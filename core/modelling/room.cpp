@@ -82,7 +82,7 @@ CloudRoom::CloudRoom(const PointsRef<3>& points, const PointsRef<3>& normals)
 Room CloudRoom::measure(Index point, const Point<3>& direction, const RoomOptions& options) const {
   check(options);
   const Point<3> from = points_.col(point);
-  double thickness = std::numeric_limits<double>::infinity();
+  double thickness = infinity;
   tree_.visit_within(from, options.step / options.safe, [&](int other) {
     const Point<3> away = points_.col(other) - from;
     const double ahead = away.dot(direction);

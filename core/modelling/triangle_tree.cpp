@@ -9,7 +9,6 @@ namespace seesaw {
 namespace {
 
 constexpr int leaf_size = 4;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Point<3> nearest_in_segment(const Point<3>& point, const Point<3>& a, const Point<3>& b) {
   const Point<3> along = b - a;

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include "core/mesh/triangle_mesh.h"
@@ -27,22 +26,21 @@ class TriangleTree {
   struct Nearest {
     int face = -1;  ///< -1: nothing within `within`
     Point<3> point = Point<3>::Zero();
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = infinity;
   };
   /// The point of the triangles nearest to `point`, if it is nearer than `within`. Of equally near faces the
   /// one with the lowest number.
-  Nearest nearest(const Point<3>& point, double within = std::numeric_limits<double>::infinity(),
-                  const Ignore& ignore = {}) const;
+  Nearest nearest(const Point<3>& point, double within = infinity, const Ignore& ignore = {}) const;
 
   struct Hit {
     int face = -1;  ///< -1: nothing
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = infinity;
   };
   /// The first triangle, seen from either side, that the ray from `origin` along the unit vector `direction`
   /// meets at a distance of 0 or more and less than `within`. A ray through an edge or a vertex hits (to a
   /// billionth of the triangle's size). Triangles without area are never hit.
-  Hit first_hit(const Point<3>& origin, const Point<3>& direction,
-                double within = std::numeric_limits<double>::infinity(), const Ignore& ignore = {}) const;
+  Hit first_hit(const Point<3>& origin, const Point<3>& direction, double within = infinity,
+                const Ignore& ignore = {}) const;
 
   /// Calls `visit(face)` for each face that has a point within `radius` of `point`, in the tree's order.
   void visit_within(const Point<3>& point, double radius, const std::function<void(int face)>& visit) const;

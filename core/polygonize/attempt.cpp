@@ -16,7 +16,7 @@ namespace {
 // How far a seed may be from f = 0, in cubes.
 constexpr double seed_reach = 2;
 // A seed that is beyond the range by so little, in cubes, is on its face.
-constexpr double on_face = 1e-6;
+constexpr double face_slack = 1e-6;
 // Small components that seeds are looked at for; beyond, a field of dust would take forever.
 constexpr int most_small = 1000;
 
@@ -146,7 +146,7 @@ Attempt attempt(Lattice lattice, const Points<3>& seeds, Sampler& sampler, const
   Attempt result;
   const MemoryBound memory(options.memory_limit);
   Stopwatch watch;
-  const Point<3> slack = on_face * lattice.step;
+  const Point<3> slack = face_slack * lattice.step;
   const Box<3> range(lattice.position(lattice.range.low) - slack,
                      lattice.position(lattice.range.high) + slack);
   std::vector<Index> within;

@@ -10,23 +10,23 @@ HalfEdges::HalfEdges(const Faces& faces, Index vertices)
       leaving_(static_cast<std::size_t>(vertices), -1) {
   // The half-edges that leave each vertex, one run a vertex.
   std::vector<int> start(leaving_.size() + 1, 0), run(origin_.size()), ends(origin_.size());
-  for (const int v : origin_) ++start[at(v) + 1];
+  for (const int v : origin_) ++start[slot(v) + 1];
   for (std::size_t v = 0; v < leaving_.size(); ++v) start[v + 1] += start[v];
   std::vector<int> fill(start.begin(), start.end() - 1);
   for (int h = 0; h < size(); ++h) {
-    const std::size_t place = at(fill[at(origin(h))]++);
+    const std::size_t place = slot(fill[slot(origin(h))]++);
     run[place] = h;
     ends[place] = target(h);
   }
   parallel_blocks(size(), 3 * 4096, [&](Index begin, Index end) {
     for (int h = static_cast<int>(begin); h < static_cast<int>(end); ++h) {
       const int from = target(h);
-      for (int i = start[at(from)]; i < start[at(from) + 1]; ++i)
-        if (ends[at(i)] == origin(h)) twin_[at(h)] = run[at(i)];
+      for (int i = start[slot(from)]; i < start[slot(from) + 1]; ++i)
+        if (ends[slot(i)] == origin(h)) twin_[slot(h)] = run[slot(i)];
     }
   });
   for (int h = size() - 1; h >= 0; --h) {
-    int& first = leaving_[at(origin(h))];
+    int& first = leaving_[slot(origin(h))];
     if (first < 0 || twin(h) < 0 || twin(first) >= 0) first = h;
   }
 }
@@ -66,8 +66,8 @@ bool HalfEdges::keeps_three(int v) const {
 
 // Makes g and h twins; either may be -1.
 void HalfEdges::join(int g, int h) {
-  if (g >= 0) twin_[at(g)] = h;
-  if (h >= 0) twin_[at(h)] = g;
+  if (g >= 0) twin_[slot(g)] = h;
+  if (h >= 0) twin_[slot(h)] = g;
 }
 
 void HalfEdges::collapse(int h) {
@@ -77,21 +77,21 @@ void HalfEdges::collapse(int h) {
   const int z = t < 0 ? -1 : twin(next(t)), w = t < 0 ? -1 : twin(previous(t));  // d to a and b to d
   moved_.clear();
   for_each_leaving(b, [&](int g) { moved_.push_back(g); });
-  for (const int g : moved_) origin_[at(g)] = a;
+  for (const int g : moved_) origin_[slot(g)] = a;
   join(x, y);
   join(w, z);
   // x leads from c and, by now, w from a. On the boundary the first half-edge must stay the one without a
   // twin: that is w where a lost next(t), and what was the first of b where the edge was a boundary edge.
-  if (leaving(c) == previous(h)) leaving_[at(c)] = x;
+  if (leaving(c) == previous(h)) leaving_[slot(c)] = x;
   if (t < 0) {
-    leaving_[at(a)] = x < 0 ? y : leaving(b);  // x < 0: b was the tip of an ear
+    leaving_[slot(a)] = x < 0 ? y : leaving(b);  // x < 0: b was the tip of an ear
   } else {
-    if (leaving(d) == previous(t)) leaving_[at(d)] = z;
-    if (leaving(a) == h || leaving(a) == next(t)) leaving_[at(a)] = w;
+    if (leaving(d) == previous(t)) leaving_[slot(d)] = z;
+    if (leaving(a) == h || leaving(a) == next(t)) leaving_[slot(a)] = w;
   }
-  leaving_[at(b)] = -1;
+  leaving_[slot(b)] = -1;
   const auto kill = [&](int f) {
-    for (int k = 0; k < 3; ++k) origin_[at(3 * f + k)] = twin_[at(3 * f + k)] = -1;
+    for (int k = 0; k < 3; ++k) origin_[slot(3 * f + k)] = twin_[slot(3 * f + k)] = -1;
   };
   kill(h / 3);
   if (t >= 0) kill(t / 3);
@@ -111,22 +111,22 @@ void HalfEdges::flip(int h) {
   const int a = origin(h), b = origin(t), c = origin(hp), d = origin(tp);
   const int bc = twin(hn), ca = twin(hp), ad = twin(tn), db = twin(tp);
   // Face of h: d, c, a. Face of t: c, d, b.
-  origin_[at(h)] = d;
-  origin_[at(hn)] = c;
-  origin_[at(hp)] = a;
-  origin_[at(t)] = c;
-  origin_[at(tn)] = d;
-  origin_[at(tp)] = b;
+  origin_[slot(h)] = d;
+  origin_[slot(hn)] = c;
+  origin_[slot(hp)] = a;
+  origin_[slot(t)] = c;
+  origin_[slot(tn)] = d;
+  origin_[slot(tp)] = b;
   join(hn, ca);
   join(hp, ad);
   join(tn, db);
   join(tp, bc);
   // Who led from where before: h and tn from a, t and hn from b, hp from c, tp from d.
   const int from_a = leaving(a), from_b = leaving(b), from_c = leaving(c), from_d = leaving(d);
-  if (from_a == h || from_a == tn) leaving_[at(a)] = hp;
-  if (from_b == t || from_b == hn) leaving_[at(b)] = tp;
-  if (from_c == hp) leaving_[at(c)] = hn;
-  if (from_d == tp) leaving_[at(d)] = tn;
+  if (from_a == h || from_a == tn) leaving_[slot(a)] = hp;
+  if (from_b == t || from_b == hn) leaving_[slot(b)] = tp;
+  if (from_c == hp) leaving_[slot(c)] = hn;
+  if (from_d == tp) leaving_[slot(d)] = tn;
 }
 
 Faces HalfEdges::faces() const {

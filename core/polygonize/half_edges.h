@@ -25,12 +25,12 @@ class HalfEdges {
   /// Also those without faces.
   Index vertices() const { return static_cast<Index>(leaving_.size()); }
   /// False for the half-edges of faces that have collapsed.
-  bool is_alive(int h) const { return origin_[at(h)] >= 0; }
-  int origin(int h) const { return origin_[at(h)]; }
-  int target(int h) const { return origin_[at(next(h))]; }
-  int twin(int h) const { return twin_[at(h)]; }
+  bool is_alive(int h) const { return origin_[slot(h)] >= 0; }
+  int origin(int h) const { return origin_[slot(h)]; }
+  int target(int h) const { return origin_[slot(next(h))]; }
+  int twin(int h) const { return twin_[slot(h)]; }
   /// A half-edge that leaves v, -1 for a vertex without faces; on the boundary the first one, without a twin.
-  int leaving(int v) const { return leaving_[at(v)]; }
+  int leaving(int v) const { return leaving_[slot(v)]; }
   bool is_boundary(int v) const { return leaving(v) < 0 || twin(leaving(v)) < 0; }
 
   /// Whether test(h) is true for a half-edge that leaves v; asks no further then.
@@ -68,7 +68,6 @@ class HalfEdges {
   Faces faces() const;
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   bool are_neighbors(int a, int b) const;
   bool keeps_three(int v) const;
   void join(int g, int h);

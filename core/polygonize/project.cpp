@@ -1,7 +1,6 @@
 #include "core/polygonize/project.h"
 
 #include <cmath>
-#include <limits>
 
 #include "core/base/parallel.h"
 
@@ -18,7 +17,7 @@ constexpr Index block = 2048;
 
 struct Walk {
   Index point;
-  double least = std::numeric_limits<double>::infinity();  // smallest |f| / |g| met
+  double least = infinity;  // smallest |f| / |g| met
   int stalls = 0;
   bool ended = false;
 };

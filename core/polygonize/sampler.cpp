@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/parallel.h"
 
@@ -11,7 +10,7 @@ namespace seesaw {
 namespace {
 
 // Points that one task takes: enough to fill the loops of a field, few enough to share among many cores.
-constexpr Index block = 512;
+constexpr Index samples_a_block = 512;
 // Points between two looks at the listener; one chunk keeps all cores busy.
 constexpr Index chunk = 16384;
 
@@ -35,7 +34,7 @@ Values Sampler::sample(const Points<3>& points, Points<3>* gradients) {
   Values values(n);
   for (Index first = 0; first < n; first += chunk) {
     const Index count = std::min(chunk, n - first);
-    parallel_blocks(count, block, [&](Index begin, Index end) {
+    parallel_blocks(count, samples_a_block, [&](Index begin, Index end) {
       const Index from = first + begin, many = end - begin;
       if (gradients)
         field_.evaluate(points.middleCols(from, many), values.segment(from, many),
@@ -48,7 +47,7 @@ Values Sampler::sample(const Points<3>& points, Points<3>* gradients) {
   for (Index i = 0; i < n; ++i) {
     if (!std::isfinite(values[i])) {
       ++nonfinite_;
-      values[i] = -std::numeric_limits<double>::infinity();
+      values[i] = -infinity;
     }
     if (gradients && !gradients->col(i).allFinite()) gradients->col(i).setZero();
   }

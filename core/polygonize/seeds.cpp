@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/parallel.h"
 #include "core/polygonize/project.h"
@@ -44,7 +43,7 @@ Point<3> nearest_in(const Point<3>& p, const Point<3>& a, const Point<3>& b, con
 
 struct Nearest {
   Point<3> point = Point<3>::Zero();
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = infinity;
 
   void look_at(const Seed& seed, const LatticeMesh& mesh, Index face) {
     const Point<3> a = mesh.positions.col(mesh.faces(0, face)), b = mesh.positions.col(mesh.faces(1, face)),

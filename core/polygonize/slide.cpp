@@ -13,7 +13,7 @@ namespace {
 
 // How far to slide, and how far Newton's step may lead back onto f = 0, in cubes.
 constexpr double farthest = 0.3, leash = 0.25;
-constexpr Index block = 1024;
+constexpr Index targets_a_block = 1024;
 
 // The corners of triangles that are not good as they are.
 std::vector<int> find_movable(const WorkingMesh& work) {
@@ -68,7 +68,7 @@ bool is_content(const WorkingMesh& work, const Points<3>& before, int v) {
 void take_back(WorkingMesh& work, const Points<3>& before, std::vector<int> asked, VertexSet& sliding) {
   while (!asked.empty()) {
     std::vector<char> back(asked.size());
-    parallel_blocks(static_cast<Index>(asked.size()), block, [&](Index begin, Index end) {
+    parallel_blocks(static_cast<Index>(asked.size()), targets_a_block, [&](Index begin, Index end) {
       for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
         back[i] = sliding.has(asked[i]) && !is_content(work, before, asked[i]);
     });
@@ -90,7 +90,7 @@ void take_back(WorkingMesh& work, const Points<3>& before, std::vector<int> aske
 void slide_vertices(WorkingMesh& work, Sampler& sampler) {
   const std::vector<int> movable = find_movable(work);
   Points<3> targets(3, static_cast<Index>(movable.size()));
-  parallel_blocks(targets.cols(), block, [&](Index begin, Index end) {
+  parallel_blocks(targets.cols(), targets_a_block, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) targets.col(i) = propose(work, movable[static_cast<std::size_t>(i)]);
   });
   const Projected projected = project(sampler, targets, {}, {.leash = leash * work.cell, .steps = 1});

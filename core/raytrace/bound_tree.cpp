@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace seesaw {
@@ -101,7 +100,7 @@ BoundTree::Facts BoundTree::facts_of(Node& node, const Box<3>& box, double inher
 BoundTree::Leaf BoundTree::leaf_at(const Point<3>& point, const Point<3>& direction) const {
   Node* node = root_.get();
   Box<3> box = box_;
-  double bound = std::numeric_limits<double>::infinity();
+  double bound = infinity;
   for (;;) {
     const Facts facts = facts_of(*node, box, bound);
     if (!facts.cut) return {box, facts.bound, node->middle, facts.empty};

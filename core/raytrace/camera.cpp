@@ -77,7 +77,7 @@ PinholeCamera frame(const PointsRef<3>& subject, const Framing& framing) {
   // So e_z <= -(a + b) / 2s, with equality for e_x = (a - b) / 2; likewise for y.
   const double inner = 1 - 2 * std::clamp(framing.margin, 0.0, 0.45);
   const double slope_y = inner * half_height_of(camera), slope_x = slope_y * framing.aspect;
-  constexpr double none = -std::numeric_limits<double>::infinity();
+  constexpr double none = -infinity;
   double right = none, left = none, top = none, bottom = none, nearest = -none, size = 0;
   for (Index i = 0; i < subject.cols(); ++i) {
     const Point<3> p = subject.col(i) - middle;

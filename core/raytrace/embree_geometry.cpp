@@ -17,7 +17,7 @@ namespace seesaw {
 namespace {
 
 // Single precision is good to 1e-7 of the unit size; rays start this far from where they left, in units.
-constexpr double clearance = 2e-5;
+constexpr double facet_clearance = 2e-5;
 
 void throw_on_error(RTCDevice device) {
   const RTCError error = rtcGetDeviceError(device);
@@ -212,7 +212,7 @@ struct EmbreeGeometry::Parts {
       }
     }
     finish(ray, outward, hit);
-    hit.start += clearance * scale * hit.facet;
+    hit.start += facet_clearance * scale * hit.facet;
   }
 
   void hit_rounded(const Ray& ray, const Rounded& object, Index index, Hit& hit) const {
@@ -223,7 +223,7 @@ struct EmbreeGeometry::Parts {
     hit.material = object.material;
     hit.line_cover = 0;
     finish(ray, outward, hit);
-    hit.start = hit.place + clearance * scale * hit.facet;
+    hit.start = hit.place + facet_clearance * scale * hit.facet;
     if (object.normals) hit.back = false;  // a disc has two good sides
   }
 };

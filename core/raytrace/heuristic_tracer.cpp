@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/random.h"
 #include "core/raytrace/walk.h"
@@ -11,7 +10,7 @@ namespace seesaw {
 
 namespace {
 
-struct Walker {
+struct HeuristicWalker {
   Ray ray;
   bool one_is_enough;
   RayCrossings* found;
@@ -39,7 +38,7 @@ struct Walker {
     if (!began) {
       began = true;
       found->inside_at_begin = is_inside(value);
-      found->unproven = std::numeric_limits<double>::infinity();
+      found->unproven = infinity;
       arrive_at(ray.begin, value);
     } else if (polishing) {
       root.take(asked, value);
@@ -86,7 +85,7 @@ HeuristicTracer::HeuristicTracer(std::shared_ptr<const Field<3>> field, const He
 }
 
 void HeuristicTracer::trace_in_box(std::span<const Task> tasks) const {
-  std::vector<Walker> walkers;
+  std::vector<HeuristicWalker> walkers;
   walkers.reserve(tasks.size());
   for (const Task& task : tasks)
     walkers.push_back({task.ray, task.one_is_enough, task.found, steepness_, least_step_, small_});

@@ -1,15 +1,13 @@
 // Inside core/raytrace: where a ray met a surface.
 #pragma once
 
-#include <limits>
-
 #include "core/raytrace/material.h"
 #include "core/raytrace/ray.h"
 
 namespace seesaw {
 
 struct Hit {
-  double t = std::numeric_limits<double>::infinity();  ///< infinite for nothing
+  double t = infinity;  ///< infinite for nothing
   Point<3> place = Point<3>::Zero();
   /// Where rays that leave the surface start: on its outer side, clear of the rounding of `place`.
   Point<3> start = Point<3>::Zero();
@@ -20,7 +18,7 @@ struct Hit {
   Color line = {};        ///< an edge line drawn over the surface ...
   double line_cover = 0;  ///< ... and how much of the sample it covers, 0 or 1
 
-  bool found() const { return t < std::numeric_limits<double>::infinity(); }
+  bool found() const { return t < infinity; }
 };
 
 }  // namespace seesaw

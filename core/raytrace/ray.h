@@ -3,8 +3,6 @@
 // Before it: camera.h, or a surface that reflects or is lit. After it: whatever can be hit.
 #pragma once
 
-#include <limits>
-
 #include "core/base/types.h"
 
 namespace seesaw {
@@ -14,7 +12,7 @@ struct Ray {
   Point<3> origin = Point<3>::Zero();
   Point<3> direction = Point<3>::UnitZ();  ///< of length 1
   double begin = 0;
-  double end = std::numeric_limits<double>::infinity();
+  double end = infinity;
 
   Point<3> at(double t) const { return origin + t * direction; }
 };

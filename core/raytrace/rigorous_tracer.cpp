@@ -10,10 +10,8 @@ namespace seesaw {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // f has been proven to keep its sign up to `a`; `leaf` is the box that the ray is in there.
-struct Walker {
+struct RigorousWalker {
   enum class Asking { nothing, start_of_leaf, step, root };
 
   Ray ray;
@@ -185,7 +183,7 @@ RigorousTracer::RigorousTracer(std::shared_ptr<const Field<3>> field, const Rigo
 }
 
 void RigorousTracer::trace_in_box(std::span<const Task> tasks) const {
-  std::vector<Walker> walkers;
+  std::vector<RigorousWalker> walkers;
   walkers.reserve(tasks.size());
   for (const Task& task : tasks) {
     walkers.push_back(

@@ -8,7 +8,7 @@ namespace {
 
 // Rays leave a traced surface this far from it, relative to the scene's size; places on it are known to
 // rounding.
-constexpr double clearance = 1e-6;
+constexpr double field_clearance = 1e-6;
 
 double size_of(const Box<3>& box) {
   const double half = box.isEmpty() ? 0.0 : 0.5 * box.sizes().norm();
@@ -72,7 +72,7 @@ void TracedScene::nearest(std::span<const Ray> rays, std::span<Hit> hits,
         if (normal.dot(rays[i].direction) > 0) normal = -normal;
         if (normal.isZero()) normal = -rays[i].direction;
         hit.normal = hit.facet = normal;
-        hit.start = hit.place + clearance * size_ * normal;
+        hit.start = hit.place + field_clearance * size_ * normal;
         hit.back = !first[i].entering;
         hit.material = &solid.leaves()[leaf].material;
       }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace seesaw {
 
@@ -92,7 +91,7 @@ double kernel_gradient_bound(Kernel kernel, const CenterArrays& centers, const P
   constexpr double far = 1e15, same = 1e-15;
   const Point<Dim> m = box.center();
   const double radius = 0.5 * box.sizes().norm();
-  if (!m.allFinite() || !std::isfinite(radius)) return std::numeric_limits<double>::infinity();
+  if (!m.allFinite() || !std::isfinite(radius)) return infinity;
   const Rule rule = rule_of(kernel);
   const Ball ball{m.data(), radius, std::max(rule.near * radius, same)};
   const bool is_far = !(m.cwiseAbs().maxCoeff() < far && radius < far);

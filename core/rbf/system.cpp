@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <set>
 
@@ -185,7 +184,7 @@ std::vector<Index> nearest_pair(const Rows<Dim>& rows) {
   SEESAW_CHECK_LE(2, rows.centers.cols());
   const double extent = extent_of<Dim>(rows.centers);
   const Sweep<Dim> sweep(rows.centers, extent);
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = infinity;
   std::set<Index> pair;
   for (std::size_t a = 0; a < sweep.order.size(); ++a)
     for (std::size_t b = a + 1; b < sweep.order.size() && sweep.along[b] - sweep.along[a] < nearest; ++b) {

@@ -80,7 +80,7 @@ struct Place {
 };
 
 double clearance_of(const Point<2>& at, const std::vector<Point<2>>& others) {
-  double clearance = std::numeric_limits<double>::infinity();
+  double clearance = infinity;
   for (const Point<2>& other : others) clearance = std::min(clearance, (other - at).norm());
   return clearance;
 }

@@ -8,7 +8,6 @@ namespace seesaw {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Hostile, NotANumberEverywhere) {
   for (const double value : {nan, infinity, -infinity}) {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -38,7 +37,7 @@ class FunctionField final : public Field<2> {
       gradients.col(i) = jet.gradient;
     }
   }
-  double gradient_bound(const Box<2>&) const override { return std::numeric_limits<double>::infinity(); }
+  double gradient_bound(const Box<2>&) const override { return infinity; }
   Box<2> bounding_box() const override { return {}; }
 
  private:
@@ -76,7 +75,7 @@ inline bool on_box_side(const Box<2>& box, const Point<2>& p) {
 inline double farthest(const Contour& contour, const Points<2>& points) {
   double worst = 0;
   for (Index i = 0; i < points.cols(); ++i) {
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = infinity;
     for (const Polyline& polyline : contour.polylines)
       nearest = std::min(nearest, distance(polyline, points.col(i)));
     worst = std::max(worst, nearest);

@@ -34,8 +34,8 @@ struct Of {
 };
 template <class T>
 class Actions : public ::testing::Test {};
-using Dimensions = ::testing::Types<Of<2>, Of<3>>;
-TYPED_TEST_SUITE(Actions, Dimensions);
+using ActionDimensions = ::testing::Types<Of<2>, Of<3>>;
+TYPED_TEST_SUITE(Actions, ActionDimensions);
 
 TYPED_TEST(Actions, EachIsUndoneAndRedoneToTheBit) {
   constexpr int D = TypeParam::dim;

@@ -118,8 +118,8 @@ struct Dimension3 {
 };
 template <class T>
 class RandomActions : public ::testing::Test {};
-using Dimensions = ::testing::Types<Dimension2, Dimension3>;
-TYPED_TEST_SUITE(RandomActions, Dimensions);
+using RandomDimensions = ::testing::Types<Dimension2, Dimension3>;
+TYPED_TEST_SUITE(RandomActions, RandomDimensions);
 
 TYPED_TEST(RandomActions, KeepWhatMustHold) {
   constexpr int D = TypeParam::dim;

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "core/base/file.h"
 #include "core/image/png.h"
@@ -18,7 +17,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 const double nan = std::nan("");
-const double inf = std::numeric_limits<double>::infinity();
+const double inf = infinity;
 
 Points<2> points_of(std::initializer_list<Point<2>> list) {
   Points<2> points(2, static_cast<Index>(list.size()));

@@ -9,6 +9,8 @@
 namespace seesaw {
 namespace {
 
+const double not_a_number = std::nan("");
+
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -46,15 +48,14 @@ TEST(LinearTicks, AreNeverMoreThanAskedAndNeverAbsent) {
 }
 
 TEST(LinearTicks, BadRangesHaveNone) {
-  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(linear_ticks(1, 1).empty());
   EXPECT_TRUE(linear_ticks(2, 1).empty());
-  EXPECT_TRUE(linear_ticks(nan, 1).empty());
-  EXPECT_TRUE(linear_ticks(0, inf).empty());
+  EXPECT_TRUE(linear_ticks(not_a_number, 1).empty());
+  EXPECT_TRUE(linear_ticks(0, infinity).empty());
   EXPECT_FALSE(linear_ticks(0, 1, 0).empty());
   EXPECT_TRUE(log_ticks(0, 1).empty());
   EXPECT_TRUE(log_ticks(-1, 1).empty());
-  EXPECT_TRUE(log_ticks(1, inf).empty());
+  EXPECT_TRUE(log_ticks(1, infinity).empty());
 }
 
 TEST(LogTicks, MarkDecades) {
@@ -122,10 +123,9 @@ TEST(ChartFrame, AnAxisThatStartsAtZeroStaysThere) {
 }
 
 TEST(ChartFrame, OddDataStillGivesAScale) {
-  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   for (const bool logarithmic : {false, true})
-    for (const auto& values :
-         std::vector<std::vector<double>>{{}, {nan}, {inf, -inf}, {3}, {3, 3}, {0}, {-1, -2}}) {
+    for (const auto& values : std::vector<std::vector<double>>{
+             {}, {not_a_number}, {infinity, -infinity}, {3}, {3, 3}, {0}, {-1, -2}}) {
       const Scale s = scale_for({.logarithmic = logarithmic}, values);
       EXPECT_LT(s.low(), s.high());
       EXPECT_TRUE(std::isfinite(s.low()) && std::isfinite(s.high()));
@@ -219,11 +219,12 @@ TEST(Chart, MistakesAreToldNotDrawn) {
 }
 
 TEST(Chart, EmptyAndOddSeriesDrawAxesOnly) {
-  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   for (const bool logarithmic : {false, true}) {
     Chart chart{.x = {.logarithmic = logarithmic}, .y = {.logarithmic = logarithmic}};
-    chart.series.push_back(
-        {.name = "odd", .x = {nan, 1, inf, -1}, .y = {1, nan, 2, -inf}, .marker = Marker::cross});
+    chart.series.push_back({.name = "odd",
+                            .x = {not_a_number, 1, infinity, -1},
+                            .y = {1, not_a_number, 2, -infinity},
+                            .marker = Marker::cross});
     chart.series.push_back({.name = "empty"});
     for (const Legend legend : {Legend::automatic, Legend::direct}) {
       chart.legend = legend;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "core/image/colormap.h"
 #include "core/image/theme.h"
@@ -96,7 +95,7 @@ TEST(DivergingColor, InkIsLegibleOnAllOfIt) {
 
 TEST(Colormaps, ClampAndMarkWhatIsMissing) {
   EXPECT_EQ(diverging_color(-7), diverging_color(-1));
-  EXPECT_EQ(diverging_color(std::numeric_limits<double>::infinity()), diverging_color(1));
+  EXPECT_EQ(diverging_color(infinity), diverging_color(1));
   EXPECT_EQ(diverging_color(std::nan("")), theme::missing);
   EXPECT_EQ(sequential_color(-0.1), sequential_color(0));
   EXPECT_EQ(sequential_color(std::nan("")), theme::missing);

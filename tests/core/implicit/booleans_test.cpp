@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "core/base/random.h"
 #include "core/implicit/blobby.h"
 #include "core/implicit/boxed.h"
@@ -27,7 +25,7 @@ class Unbounded final : public Field<3> {
     evaluate(points, values);
     gradients.colwise() = Point<3>(0, 0, 1);
   }
-  double gradient_bound(const Box<3>&) const override { return std::numeric_limits<double>::infinity(); }
+  double gradient_bound(const Box<3>&) const override { return infinity; }
   Box<3> bounding_box() const override { return Box<3>(); }
 };
 
@@ -98,8 +96,7 @@ TEST(Booleans, GradientAndItsBound) {
 
 TEST(Booleans, ALoserDoesNotLoosenTheBound) {
   const Union<3> both({share(Sphere<3>({0, 0, 2}, 1)), share(Unbounded())});
-  EXPECT_EQ(both.gradient_bound(Box<3>(Point<3>(-1, -1, -1), Point<3>(1, 1, 1))),
-            std::numeric_limits<double>::infinity());
+  EXPECT_EQ(both.gradient_bound(Box<3>(Point<3>(-1, -1, -1), Point<3>(1, 1, 1))), infinity);
   const Union<3> balls(
       {share(Sphere<3>({0, 0, 0}, 1)), share(BlobbySpheres<3>(0.9, Point<3>(5, 0, 0), Values{{0.01}}))});
   EXPECT_EQ(balls.gradient_bound(Box<3>(Point<3>(-0.1, -0.1, -0.1), Point<3>(0.1, 0.1, 0.1))), 1);

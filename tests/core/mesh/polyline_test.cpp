@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "core/base/random.h"
 
@@ -52,7 +51,7 @@ TEST(Polyline, NothingIsNothing) {
   EXPECT_EQ(length(none), 0);
   EXPECT_EQ(winding_number(none, {0, 0}), 0);
   EXPECT_TRUE(bounding_box(none).isEmpty());
-  EXPECT_EQ(distance(none, {0, 0}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(distance(none, {0, 0}), infinity);
   EXPECT_EQ(to_csv({}), "polyline,closed,x,y\n");
 }
 

@@ -17,7 +17,7 @@
 namespace seesaw {
 namespace {
 
-constexpr double pi = 3.141592653589793;
+using std::numbers::pi;
 
 // Two spheres of radii r and s whose centers are d apart share two caps.
 double lens(double r, double s, double d) {
@@ -157,7 +157,7 @@ TEST(Clearance, FindsTheNearestOfManyPlaces) {  // a ring around a ball that is 
 
 TEST(Clearance, WithoutASurfaceIsInfinite) {
   const BlobbySpheres<3> nothing(2, Point<3>(0, 0, 0), Values{{1.0}});
-  EXPECT_EQ(clearance(nothing, Sphere<3>({5, 0, 0}, 1)).distance, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(clearance(nothing, Sphere<3>({5, 0, 0}, 1)).distance, infinity);
 }
 
 TEST(Clearance, CrossingSurfacesHaveNone) {

@@ -43,7 +43,7 @@ TEST(TriangleTree, AgreesWithBruteForce) {
     const Point<3> x = random.points_in<3>(grown(box, 0.2), 1).col(0);
     const Point<3> direction = trial % 4 ? random.direction<3>() : Point<3>(Point<3>::Unit(trial / 4 % 3));
     const auto odd = [&](int face) { return trial % 2 && face % 2; };
-    double nearest = std::numeric_limits<double>::infinity(), first = nearest;
+    double nearest = infinity, first = nearest;
     int within = 0;
     for (Index f = 0; f < faces.cols(); ++f) {
       const double d = (nearest_in_triangle(x, corner(f, 0), corner(f, 1), corner(f, 2)) - x).norm();
@@ -52,11 +52,11 @@ TEST(TriangleTree, AgreesWithBruteForce) {
       nearest = std::min(nearest, d);
       first = std::min(first, ray_hits_triangle(x, direction, corner(f, 0), corner(f, 1), corner(f, 2)));
     }
-    const auto found = tree.nearest(x, std::numeric_limits<double>::infinity(), odd);
+    const auto found = tree.nearest(x, infinity, odd);
     EXPECT_NEAR(found.distance, nearest, 1e-15);
     EXPECT_NEAR((found.point - x).norm(), nearest, 1e-15);
     EXPECT_EQ(tree.nearest(x, 0.99 * nearest, odd).face, -1);
-    EXPECT_EQ(tree.first_hit(x, direction, std::numeric_limits<double>::infinity(), odd).distance, first);
+    EXPECT_EQ(tree.first_hit(x, direction, infinity, odd).distance, first);
     hits += first < 10;
     int visited = 0;
     tree.visit_within(x, 0.3, [&](int) { ++visited; });
@@ -244,7 +244,7 @@ TEST(ModelConstraints, BadNormalsAreDroppedAndCounted) {
   PointCloud cloud = random_sphere(200, random);
   cloud.normals.col(3).setZero();
   cloud.normals.col(50)[1] = nan;
-  cloud.normals.col(51)[2] = std::numeric_limits<double>::infinity();
+  cloud.normals.col(51)[2] = infinity;
   cloud.normals.col(60) *= 1e-200;  // short, but a direction
   cloud.normals.col(61) *= 1e200;
   const ModelConstraints made = constraints_from(cloud);

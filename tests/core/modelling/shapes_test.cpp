@@ -20,7 +20,7 @@
 namespace seesaw {
 namespace {
 
-constexpr double pi = 3.141592653589793;
+using std::numbers::pi;
 
 TEST(Cage, Circle) {
   const Constraints<2> cage = circle_cage({1, 2}, 3, 8, pi / 2);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <limits>
 
 #include "core/implicit/field.h"
 #include "core/mesh/mesh_check.h"
@@ -32,7 +31,7 @@ class TestField final : public Field<3> {
       gradients.col(i) = g_ ? g_(p) : difference(p);
     }
   }
-  double gradient_bound(const Box<3>&) const override { return std::numeric_limits<double>::infinity(); }
+  double gradient_bound(const Box<3>&) const override { return infinity; }
   Box<3> bounding_box() const override { return box_; }
 
  private:

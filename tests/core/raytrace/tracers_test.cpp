@@ -211,7 +211,7 @@ TEST(Tracers, SolidsAreClosedByTheirBox) {
 // A field that knows no bound is traced by small steps, and ends.
 TEST(Tracers, WithoutABoundStepsAreBlindButFinite) {
   Wedge boundless;
-  boundless.bound = std::numeric_limits<double>::infinity();
+  boundless.bound = infinity;
   const RigorousTracer tracer(share(boundless), {.tree = {.smallest_side = 0.5}});
   const std::vector<RayCrossings> found = traced(tracer, {{.origin = {-5, 0, 0.3}, .direction = {1, 0, 0}}});
   ASSERT_EQ(found[0].crossings.size(), 2u);

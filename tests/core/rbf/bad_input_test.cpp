@@ -129,7 +129,7 @@ TEST(BadInput, WithSmoothingContradictionsAreMeasurements) {
 }
 
 TEST(BadInput, NotFiniteNumbersNameTheirCulprits) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = infinity;
   for (const double bad : {nan, inf, -inf}) {
     auto constraints = four_around_one();
     constraints[3].at[1] = bad;

@@ -15,7 +15,7 @@
 namespace seesaw {
 namespace {
 
-const char* const text = R"({
+const char* const locale_text = R"({
   "seesaw": 1,
   "dimension": 2,
   "kernel": "cubic",
@@ -28,11 +28,11 @@ const char* const text = R"({
 )";
 
 void expect_the_same_as_ever() {
-  const auto document = parse_document<2>(text);
+  const auto document = parse_document<2>(locale_text);
   EXPECT_EQ(document.smoothing, 0.5);
   EXPECT_EQ(document.constraints.at(0).constraint.at, Point<2>(12345.75, -0.001));
   EXPECT_EQ(document.constraints.at(0).constraint.value, 1e-20);
-  EXPECT_EQ(to_json_text(document), text);
+  EXPECT_EQ(to_json_text(document), locale_text);
 }
 
 struct Comma : std::numpunct<char> {

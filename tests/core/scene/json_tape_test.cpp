@@ -12,7 +12,7 @@ namespace seesaw {
 namespace {
 
 /// The error of a text that is refused, named "t".
-std::string refusal(std::string_view text, const JsonLimits& limits = {}) {
+std::string tape_refusal(std::string_view text, const JsonLimits& limits = {}) {
   try {
     parse_json(text, "t", limits);
   } catch (const FileError& error) {
@@ -64,7 +64,7 @@ TEST(JsonTape, ANumberMayEndTheText) {
 
 TEST(JsonTape, AByteOrderMarkIsSkippedOnce) {
   EXPECT_EQ(lines_of("\xEF\xBB\xBF\n[\n1]"), (Lines{{"", 2}, {"[0]", 3}}));
-  EXPECT_EQ(refusal("\xEF\xBB\xBF\xEF\xBB\xBF[]"), "t:1: not JSON: cannot read \"\?\?\?\?\?\?\"");
+  EXPECT_EQ(tape_refusal("\xEF\xBB\xBF\xEF\xBB\xBF[]"), "t:1: not JSON: cannot read \"\?\?\?\?\?\?\"");
 }
 
 TEST(JsonTape, ValuesKeepTheirTypeAndEveryBit) {
@@ -112,96 +112,99 @@ TEST(JsonTape, ArraysAndObjectsKnowTheirSize) {
 }
 
 TEST(JsonTape, AKeyIsGivenOnce) {
-  EXPECT_EQ(refusal("{\"a\": {\"x\": 1,\n\"y\": [{}, {}],\n\"x\": 2}}"), "t:3: a.x: the key is given twice");
-  EXPECT_EQ(refusal("[0, {\"b\": 1, \"a\": 1,\n\"a\": 2,\n\"b\": 2}]"), "t:2: [1].a: the key is given twice");
-  EXPECT_EQ(refusal("{\"a\": 1,\n\"\\u0061\": 2}"), "t:2: a: the key is given twice");
-  EXPECT_EQ(refusal("[{\"a\": {\"a\": 1}}, {\"a\": 1}]"), "accepted");
+  EXPECT_EQ(tape_refusal("{\"a\": {\"x\": 1,\n\"y\": [{}, {}],\n\"x\": 2}}"),
+            "t:3: a.x: the key is given twice");
+  EXPECT_EQ(tape_refusal("[0, {\"b\": 1, \"a\": 1,\n\"a\": 2,\n\"b\": 2}]"),
+            "t:2: [1].a: the key is given twice");
+  EXPECT_EQ(tape_refusal("{\"a\": 1,\n\"\\u0061\": 2}"), "t:2: a: the key is given twice");
+  EXPECT_EQ(tape_refusal("[{\"a\": {\"a\": 1}}, {\"a\": 1}]"), "accepted");
 }
 
 TEST(JsonTape, NumbersBeyondDoublesAreRefusedWithTheirPath) {
-  EXPECT_EQ(refusal("{\"a\": [0,\n{\"b\": 1e999\n}]}"),
+  EXPECT_EQ(tape_refusal("{\"a\": [0,\n{\"b\": 1e999\n}]}"),
             "t:2: a[1].b: 1e999 is too large: numbers end at 1.8e308");
-  EXPECT_EQ(refusal("[1,\n-1" + std::string(400, '0') + "]"),
+  EXPECT_EQ(tape_refusal("[1,\n-1" + std::string(400, '0') + "]"),
             "t:2: [1]: -1" + std::string(38, '0') + "... is too large: numbers end at 1.8e308");
 }
 
 TEST(JsonTape, WordsThatAreNoJsonAreRefusedWithTheirPath) {
-  EXPECT_EQ(refusal("{\"a\": [0,\nNaN]}"), "t:2: a[1]: not JSON: cannot read \"NaN\"");
-  EXPECT_EQ(refusal("[1,\n]"),
+  EXPECT_EQ(tape_refusal("{\"a\": [0,\nNaN]}"), "t:2: a[1]: not JSON: cannot read \"NaN\"");
+  EXPECT_EQ(tape_refusal("[1,\n]"),
             "t:2: [1]: not JSON: unexpected ']'; expected '[', "
             "'{', or a literal");
-  EXPECT_EQ(refusal("{\"a\": 1 // one\n}"), "t:1: not JSON: cannot read \"//\"");
+  EXPECT_EQ(tape_refusal("{\"a\": 1 // one\n}"), "t:1: not JSON: cannot read \"//\"");
 }
 
 TEST(JsonTape, AMissingCommaIsBlamedOnTheLineThatShowsIt) {
-  EXPECT_EQ(refusal("[1\n2]"), "t:2: not JSON: unexpected number literal; expected ']'");
-  EXPECT_EQ(refusal("{\"a\": 1\n\n\"b\": 2}"), "t:3: not JSON: unexpected string literal; expected '}'");
+  EXPECT_EQ(tape_refusal("[1\n2]"), "t:2: not JSON: unexpected number literal; expected ']'");
+  EXPECT_EQ(tape_refusal("{\"a\": 1\n\n\"b\": 2}"), "t:3: not JSON: unexpected string literal; expected '}'");
 }
 
 TEST(JsonTape, ATextThatEndsEarlyIsBlamedOnItsLastLine) {
-  EXPECT_EQ(refusal("{\"a\": [1,\n2\n"), "t:2: not JSON: unexpected end of input; expected ']'");
-  EXPECT_EQ(refusal("[1,\n\"abc"), "t:2: [1]: not JSON: invalid string: missing closing quote");
+  EXPECT_EQ(tape_refusal("{\"a\": [1,\n2\n"), "t:2: not JSON: unexpected end of input; expected ']'");
+  EXPECT_EQ(tape_refusal("[1,\n\"abc"), "t:2: [1]: not JSON: invalid string: missing closing quote");
 }
 
 TEST(JsonTape, NothingMayFollow) {
-  EXPECT_EQ(refusal("{}\n{}"), "t:2: something follows the end of the document");
-  EXPECT_EQ(refusal("1\n\n x"), "t:3: something follows the end of the document");
-  EXPECT_EQ(refusal("{}\n]"), "t:2: something follows the end of the document");
-  EXPECT_EQ(refusal("{}\n\n\n"), "accepted");
+  EXPECT_EQ(tape_refusal("{}\n{}"), "t:2: something follows the end of the document");
+  EXPECT_EQ(tape_refusal("1\n\n x"), "t:3: something follows the end of the document");
+  EXPECT_EQ(tape_refusal("{}\n]"), "t:2: something follows the end of the document");
+  EXPECT_EQ(tape_refusal("{}\n\n\n"), "accepted");
 }
 
 TEST(JsonTape, AZeroByteDoesNotHideTheRest) {
   using namespace std::string_literals;
-  EXPECT_EQ(refusal("{}\n\0"s), "t:2: something follows the end of the document");
-  EXPECT_EQ(refusal("{}\n\0{}"s), "t:2: something follows the end of the document");
-  EXPECT_EQ(refusal("1\0"s), "t:1: something follows the end of the document");
-  EXPECT_EQ(refusal("\0"s),
+  EXPECT_EQ(tape_refusal("{}\n\0"s), "t:2: something follows the end of the document");
+  EXPECT_EQ(tape_refusal("{}\n\0{}"s), "t:2: something follows the end of the document");
+  EXPECT_EQ(tape_refusal("1\0"s), "t:1: something follows the end of the document");
+  EXPECT_EQ(tape_refusal("\0"s),
             "t:1: not JSON: unexpected end of input; expected '[', "
             "'{', or a literal");
 }
 
 TEST(JsonTape, OnlyUtf8IsText) {
-  EXPECT_EQ(refusal("[1,\n\"a\xFF\"]"), "t:2: not JSON: a string holds bytes that are not UTF-8");
-  EXPECT_EQ(refusal("[\"\xC0\x80\"]"), "t:1: not JSON: a string holds bytes that are not UTF-8");
-  EXPECT_EQ(refusal("{\n\"\xED\xA0\x80\": 1}"), "t:2: not JSON: a string holds bytes that are not UTF-8");
-  EXPECT_EQ(refusal(std::string("\xFF\xFE{\0}\0", 6)), "t:1: is UTF-16 text: save it as UTF-8");
-  EXPECT_EQ(refusal("[\"\xF0\x9F\x99\x82\"]"), "accepted");
+  EXPECT_EQ(tape_refusal("[1,\n\"a\xFF\"]"), "t:2: not JSON: a string holds bytes that are not UTF-8");
+  EXPECT_EQ(tape_refusal("[\"\xC0\x80\"]"), "t:1: not JSON: a string holds bytes that are not UTF-8");
+  EXPECT_EQ(tape_refusal("{\n\"\xED\xA0\x80\": 1}"),
+            "t:2: not JSON: a string holds bytes that are not UTF-8");
+  EXPECT_EQ(tape_refusal(std::string("\xFF\xFE{\0}\0", 6)), "t:1: is UTF-16 text: save it as UTF-8");
+  EXPECT_EQ(tape_refusal("[\"\xF0\x9F\x99\x82\"]"), "accepted");
 }
 
 TEST(JsonTape, ALongCulpritIsCutAndBareBytesAreNotRepeated) {
-  const std::string error = refusal("[\"" + std::string(100000, 'a') + "\x01\"]");
+  const std::string error = tape_refusal("[\"" + std::string(100000, 'a') + "\x01\"]");
   EXPECT_LT(error.size(), 220u);
   for (const char c : error) EXPECT_TRUE(c >= ' ' && c <= '~');
 }
 
 TEST(JsonTape, AnEmptyTextIsCalledEmpty) {
   for (const char* text : {"", " \n\t\r\n", "\xEF\xBB\xBF", "\xEF\xBB\xBF\n"})
-    EXPECT_EQ(refusal(text), "t: is empty");
+    EXPECT_EQ(tape_refusal(text), "t: is empty");
 }
 
 TEST(JsonTape, SixtyFourLevelsAreReadAndNoMore) {
   const auto nested = [](int levels) { return std::string(levels, '[') + std::string(levels, ']'); };
-  EXPECT_EQ(refusal(nested(64)), "accepted");
-  EXPECT_EQ(refusal(nested(65)), "t:1: is nested deeper than the 64 levels that are read");
-  EXPECT_EQ(refusal("\n" + std::string(5'000'000, '[')),
+  EXPECT_EQ(tape_refusal(nested(64)), "accepted");
+  EXPECT_EQ(tape_refusal(nested(65)), "t:1: is nested deeper than the 64 levels that are read");
+  EXPECT_EQ(tape_refusal("\n" + std::string(5'000'000, '[')),
             "t:2: is nested deeper than the 64 levels that are read");
   std::string objects;
   for (int i = 0; i < 100000; ++i) objects += "{\"a\":";
-  EXPECT_EQ(refusal(objects), "t:1: is nested deeper than the 64 levels that are read");
+  EXPECT_EQ(tape_refusal(objects), "t:1: is nested deeper than the 64 levels that are read");
 }
 
 TEST(JsonTape, HugeTextsAreRefusedBeforeTheyFillTheMemory) {
-  EXPECT_EQ(refusal("[1, 2, 3]", {.bytes = 8}), "t: is larger than the 8 bytes that are read");
-  EXPECT_EQ(refusal("[1, 2, 3]", {.bytes = 9, .values = 4}), "accepted");
-  EXPECT_EQ(refusal("[1, 2,\n3\n]", {.values = 3}), "t:2: holds more than the 3 values that are read");
+  EXPECT_EQ(tape_refusal("[1, 2, 3]", {.bytes = 8}), "t: is larger than the 8 bytes that are read");
+  EXPECT_EQ(tape_refusal("[1, 2, 3]", {.bytes = 9, .values = 4}), "accepted");
+  EXPECT_EQ(tape_refusal("[1, 2,\n3\n]", {.values = 3}), "t:2: holds more than the 3 values that are read");
   EXPECT_EQ(JsonLimits().bytes, 256u * 1024 * 1024);
 }
 
 TEST(JsonTape, AnObjectOfAHundredThousandKeysIsReadAtOnce) {
   std::string text = "{";
   for (int i = 0; i < 100000; ++i) text += "\"k" + std::to_string(i) + "\":0,\n";
-  EXPECT_EQ(refusal(text + "\"z\":0}"), "accepted");
-  EXPECT_EQ(refusal(text + "\"k77\":0}"), "t:100001: k77: the key is given twice");
+  EXPECT_EQ(tape_refusal(text + "\"z\":0}"), "accepted");
+  EXPECT_EQ(tape_refusal(text + "\"k77\":0}"), "t:100001: k77: the key is given twice");
 }
 
 }  // namespace

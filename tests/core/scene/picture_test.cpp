@@ -11,7 +11,7 @@
 namespace seesaw {
 namespace {
 
-Document<2> example() {
+Document<2> pictured_example() {
   Document<2> document;
   for (const auto& constraint : four_around_one()) document.constraints.push_back({.constraint = constraint});
   return document;
@@ -33,7 +33,7 @@ TEST(PlanView, KeepsShapesAndShowsAll) {
 }
 
 TEST(PlanView, AScenesOwnViewWins) {
-  Document<2> document = example();
+  Document<2> document = pictured_example();
   const Fit<2> fitted = fit(document);
   const Box<2> chosen = view_box(document, fitted.function);
   for (const auto& each : document.constraints) EXPECT_TRUE(chosen.contains(each.constraint.at));
@@ -65,7 +65,7 @@ TEST(Isolines, ColorsDeepenWithTheValueAndKeepItsSign) {
 }
 
 TEST(Picture, InsideIsWarmOutsideIsCoolAndTheCurveIsDark) {
-  Document<2> document = example();
+  Document<2> document = pictured_example();
   document.display.field = true;
   document.constraints[1].highlight = true;
   const Fit<2> fitted = fit(document);
@@ -99,7 +99,7 @@ TEST(Picture, InsideIsWarmOutsideIsCoolAndTheCurveIsDark) {
 }
 
 TEST(Picture, EverySwitchChangesIt) {
-  Document<2> document = example();
+  Document<2> document = pictured_example();
   document.constraints[0].constraint.normal = NormalConstraint<2>{{-1, 0}, 0.01, 0.01};
   const Fit<2> fitted = fit(document);
   const auto picture = [&](const Document<2>& d) {
