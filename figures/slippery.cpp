@@ -51,7 +51,7 @@ Values distances_to(const Field<3>& field, const Points<3>& points) {
   return result;
 }
 
-struct Outcome {
+struct DragOutcome {
   double grabbed = 0;    // from the cursor to the surface
   double held = 0;       // the farthest of the other held points from the surface
   double turned = 0;     // the surface's normal at the grabbed point, degrees
@@ -83,7 +83,7 @@ Figure slippery_figure(const FigureContext& context) {
   Floaters floaters(surface, {.desired_radius = 0.1, .diameter = 1.2, .seed = 2});
   floaters.equilibrate(surface);
   const Floaters at_first = floaters;
-  Outcome blobby;
+  DragOutcome blobby;
   constexpr int steps = 250;
   for (int step = 0; step < steps; ++step) {
     report(context.progress, step / double{steps});
@@ -91,7 +91,7 @@ Figure slippery_figure(const FigureContext& context) {
     points.velocities.setZero();
     points.velocities.col(grabbed) =
         spring_velocity<3>(points.positions.col(grabbed), from + gone * (cursor - from));
-    const SurfaceMotion motion = differential_step(surface, points, floaters);
+    const SurfaceMotion motion = differential_step(surface, points, floaters).motion;
     blobby.unfollowed += motion.method != ControlMethod::cholesky;
   }
   // The interpolating surface through the same points, and one of them moved: section 5 of T&O.
@@ -110,7 +110,7 @@ Figure slippery_figure(const FigureContext& context) {
     if (i != grabbed) others.col(k++) = held.col(i);
   blobby.grabbed = distances_to(surface, cursor)[0];
   blobby.held = distances_to(surface, others).maxCoeff();
-  Outcome interpolating;
+  DragOutcome interpolating;
   interpolating.grabbed = distances_to(after, cursor)[0];
   interpolating.held = distances_to(after, others).maxCoeff();
 

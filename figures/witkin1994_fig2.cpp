@@ -54,6 +54,7 @@ Figure witkin1994_fig2(const FigureContext& context) {
     facts["point_ends_from_the_cursor"] = done.miss;
     facts["control_points_off_the_surface"] = done.most_off;
     facts["steps_by_least_squares"] = done.least_squares;
+    facts["steps_waited"] = done.waited;
     most_off = std::max(most_off, done.most_off);
     most_miss = std::max(most_miss, done.miss);
   }

@@ -84,8 +84,9 @@ DragReport Sculptor::drag(const Drag& drag, int most_steps, const Progress& prog
     if (report.miss < 1e-3 * desired_radius_) break;
     points_.velocities.setZero();
     points_.velocities.col(report.point) = spring_velocity<3>(at, cursor);
-    const SurfaceMotion motion = differential_step(surface_, points_, floaters_, options_);
-    report.least_squares += motion.method == ControlMethod::least_squares;
+    const FollowedStep step = differential_step(surface_, points_, floaters_, options_);
+    report.least_squares += step.motion.method == ControlMethod::least_squares;
+    report.waited += step.waited;
     report.most_off = std::max(report.most_off, off_surface(surface_, points_.positions));
   }
   points_.velocities.setZero();

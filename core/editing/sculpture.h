@@ -56,6 +56,7 @@ struct DragReport {
   double miss = 0;          ///< how far the point ended from the cursor, scene units
   double most_off = 0;      ///< max |f| / |grad f| of the control points on the way, scene units
   Index least_squares = 0;  ///< steps in which the points could not all be followed by Cholesky
+  Index waited = 0;         ///< steps in which the points stood still, since the surface could not follow
 };
 
 class Sculptor {

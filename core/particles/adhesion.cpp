@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/parallel.h"
 
@@ -32,7 +31,7 @@ Values Contact::distances() const {
   for (Index i = 0; i < size(); ++i)
     result[i] = values[i] == 0                          ? 0.0
                 : definite[static_cast<std::size_t>(i)] ? std::abs(values[i]) / gradients.col(i).norm()
-                                                        : std::numeric_limits<double>::infinity();
+                                                        : infinity;
   return result;
 }
 
@@ -90,7 +89,7 @@ PutOn put_on(const Field<3>& field, const PointsRef<3>& positions, const Values&
   std::vector<Index> active(static_cast<std::size_t>(n));
   for (Index i = 0; i < n; ++i) active[static_cast<std::size_t>(i)] = i;
   Points<3> at = positions, step = Points<3>::Zero(3, n), gradients;
-  Values least = Values::Constant(n, std::numeric_limits<double>::infinity()), values;
+  Values least = Values::Constant(n, infinity), values;
   for (int round = 0; round <= 10 && !active.empty(); ++round) {
     evaluate(field, at(Eigen::all, active), values, gradients);
     std::vector<Index> next;

@@ -58,7 +58,7 @@ void sort_out(SurfaceMotion& motion, std::vector<Index> dependent, const Values&
 }
 
 template <int Dim>
-double size_of(const ParametricField<Dim>& field) {
+double longest_side(const ParametricField<Dim>& field) {
   const Box<Dim> box = field.bounding_box();
   return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
 }
@@ -118,7 +118,7 @@ SurfaceMotion surface_motion(const ParametricField<Dim>& field, const ControlPoi
     for (Index k = motion.rank; k < n; ++k) dependent.push_back(decomposition.colsPermutation().indices()[k]);
   }
   motion.residuals = e.demands + e.columns.transpose() * change;
-  const double size = size_of(field), fastest = options.largest_speed * size;
+  const double size = longest_side(field), fastest = options.largest_speed * size;
   sort_out(motion, dependent, e.demands, size);
   const double speed = m > 0 ? change.norm() * e.columns.colwise().norm().maxCoeff() : 0.0;
   if (size > 0 && speed > fastest) {
@@ -135,7 +135,7 @@ void advance(ParametricField<Dim>& field, ControlPoints<Dim>& points, const Surf
              double time_step) {
   SEESAW_CHECK_EQ(points.velocities.cols(), points.size());
   field.set_q(field.q() + time_step * motion.q_rates);
-  points.positions += time_step * points.velocities;
+  points.positions += time_step * motion.slowed * points.velocities;
 }
 
 #define SEESAW_INSTANTIATE(Dim)                                                                      \

@@ -24,10 +24,9 @@
 //
 // Short of that, points that nearly depend on each other are followed by huge motions of all that they do not
 // pin down, and Euler's step then throws the surface away: of 300 random drags among five points, about 2 %
-// did. So motions have a largest speed; what they miss for it is made up by feedback.
+// did. So motions have a largest speed, and the points are slowed with them; follow.h looks after the rest.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "core/implicit/parametric.h"
@@ -62,6 +61,11 @@ struct ControlOptions {
   /// would move if it felt all of the motion. It is held below this many sizes of the surface (its bounding
   /// box's longest side) per unit of time.
   double largest_speed = 3;
+  /// follow.h takes a step in parts where a point would end farther off the surface than this many sizes of
+  /// the surface (and farther than it was before).
+  double largest_miss = 3e-3;
+  /// The smallest part is the step over 2 to this power.
+  int most_halvings = 4;
 };
 
 /// How eq. 7 was solved.
@@ -93,8 +97,9 @@ template <int Dim>
 SurfaceMotion surface_motion(const ParametricField<Dim>& field, const ControlPoints<Dim>& points,
                              const ControlOptions& options = {});
 
-/// Euler's step: the surface moves by `time_step` q', then the points by `time_step` P. Where set_q throws
-/// nothing has moved.
+/// Euler's step: the surface moves by `time_step` q', then the points by `time_step` P (times
+/// `motion.slowed`: where the surface is slowed down the points wait for it). Where set_q throws nothing has
+/// moved.
 template <int Dim>
 void advance(ParametricField<Dim>& field, ControlPoints<Dim>& points, const SurfaceMotion& motion,
              double time_step);
@@ -105,7 +110,7 @@ void advance(ParametricField<Dim>& field, ControlPoints<Dim>& points, const Surf
 /// units per unit of time, for a cursor that jumps.
 template <int Dim>
 Point<Dim> spring_velocity(const Point<Dim>& point, const Point<Dim>& cursor, double gain = 5,
-                           double most = std::numeric_limits<double>::infinity()) {
+                           double most = infinity) {
   const Point<Dim> velocity = gain * (cursor - point);
   const double speed = velocity.norm();
   return speed > most ? Point<Dim>(velocity * (most / speed)) : velocity;

@@ -8,8 +8,8 @@
 //     draw(floaters.discs());
 #pragma once
 
-#include "core/particles/control_points.h"
 #include "core/particles/floaters.h"
+#include "core/particles/follow.h"
 
 namespace seesaw {
 
@@ -17,12 +17,14 @@ namespace seesaw {
 ///   - The caller has set the desired velocities P of the control points, and Q in `options`.
 ///   - q' follows from them (eqs. 7 and 8, control_points.h).
 ///   - Repulsion sets the floaters' desired velocities (eq. 9), and q' makes actual ones of them (eq. 5).
-///   - Euler's step for q and the control points, then for the floaters.
+///   - Euler's step for q and the control points (in parts where one would be too long: follow.h), then for
+///     the floaters.
 ///   - The floaters' radii (eqs. 10, 12, 13), their fissions and deaths (section 4.4). (The paper computes
 ///     the radii's change before Euler's step and adds it after; that is the same number.)
 /// Returns what it has done to the surface, and which control points it could not follow. Throws what set_q
-/// does; then surface, control points and floaters are where they were.
-SurfaceMotion differential_step(ParametricField<3>& field, ControlPoints<3>& points, Floaters& floaters,
-                                const ControlOptions& options = {});
+/// does where not even a part of the step can be taken; then surface, control points and floaters are where
+/// they were.
+FollowedStep differential_step(ParametricField<3>& field, ControlPoints<3>& points, Floaters& floaters,
+                               const ControlOptions& options = {});
 
 }  // namespace seesaw

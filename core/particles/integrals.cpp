@@ -14,7 +14,7 @@ namespace {
 
 // The width of the Gaussian in spacings, and how far it is followed in widths: there it is 3e-4, and the
 // missing rest of its integral as much.
-constexpr double widths = 0.75, reach = 4.0;
+constexpr double spacings_wide = 0.75, widths_reached = 4.0;
 
 }  // namespace
 
@@ -23,10 +23,10 @@ Values area_shares(const Crowd& crowd) {
   SEESAW_CHECK_EQ(crowd.positions.cols(), n);
   SEESAW_CHECK_EQ(crowd.normals.cols(), n);
   // At rest neighbors are 1.9 radii apart. Radii are smoother from floater to floater than distances are.
-  const Values width = 1.9 * widths * crowd.radii;
-  const double whole = 2 * std::numbers::pi * (1 - std::exp(-0.5 * reach * reach));
+  const Values width = 1.9 * spacings_wide * crowd.radii;
+  const double whole = 2 * std::numbers::pi * (1 - std::exp(-0.5 * widths_reached * widths_reached));
   Values shares(n);
-  Neighbors(crowd.positions, reach * width)
+  Neighbors(crowd.positions, widths_reached * width)
       .for_each_leaf([&](std::span<const int> members, std::span<const int> candidates) {
         for (const int i : members) {
           const Point<3> at = crowd.positions.col(i), normal = crowd.normals.col(i);
@@ -34,7 +34,7 @@ Values area_shares(const Crowd& crowd) {
           for (const int j : candidates) {
             const Point<3> r = at - crowd.positions.col(j);
             const double squared = r.squaredNorm(), square = width[j] * width[j];
-            if (squared > reach * reach * square) continue;
+            if (squared > widths_reached * widths_reached * square) continue;
             const Point<3> turned = normal - crowd.normals.col(j);
             const double weight = (i == j ? 1.0 : same_sheet(r, normal, crowd.normals.col(j))) *
                                   std::exp(-0.5 * squared / square);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/parallel.h"
 #include "core/particles/neighbors.h"
@@ -27,7 +26,7 @@ Spacing spacing_of(const PointsRef<3>& positions, const PointsRef<3>& normals) {
   });
   Index count = 0;
   Spacing result;
-  result.least = std::numeric_limits<double>::infinity();
+  result.least = infinity;
   for (const double distance : nearest)
     if (std::isfinite(distance)) {
       ++count;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 #include "core/base/check.h"
@@ -117,7 +116,7 @@ void Neighbors::for_each_leaf(
 
 double Neighbors::nearest_squared(const Point<3>& point, Index but,
                                   const std::function<bool(int)>& accept) const {
-  double best = std::numeric_limits<double>::infinity();
+  double best = infinity;
   if (order_.empty()) return best;
   struct Open {
     std::size_t level, k;

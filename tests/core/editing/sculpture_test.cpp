@@ -8,7 +8,7 @@
 namespace seesaw {
 namespace {
 
-const char* const text = R"({
+const char* const ball_text = R"({
   "seesaw_sculpture": 1,
   "cylinders": [
     {"from": [-0.5, 0, 0], "to": [0.5, 0, 0], "deviation": 0.3},
@@ -20,7 +20,7 @@ const char* const text = R"({
 })";
 
 TEST(Sculpture, DraggedPointsMeetTheirCursorsAndOthersStay) {
-  const Sculpture sculpture = parse_sculpture(text);
+  const Sculpture sculpture = parse_sculpture(ball_text);
   ASSERT_EQ(sculpture.drags.size(), 2U);
   Sculptor sculptor(sculpture);
   EXPECT_GT(sculptor.floaters().size(), 50);
@@ -55,7 +55,7 @@ std::string message_of(const std::string& broken) {
   return "nothing was refused";
 }
 std::string with(const std::string& from, const std::string& to) {
-  std::string changed = text;
+  std::string changed = ball_text;
   changed.replace(changed.find(from), from.size(), to);
   return changed;
 }
@@ -70,12 +70,12 @@ TEST(Sculpture, FaultsAreNamedWithTheirLine) {
   EXPECT_NE(message_of(with("\"s1\"", "\"radius\"")).find("s.json:7"), std::string::npos);
   EXPECT_NE(message_of(with("\"grab\"", "\"grap\"")).find("drags[0]"), std::string::npos);
   EXPECT_NE(message_of(with("\"drags\"", "\"draws\"")).find("drags"), std::string::npos);
-  EXPECT_EQ(message_of(text), "nothing was refused");
+  EXPECT_EQ(message_of(ball_text), "nothing was refused");
 }
 
 TEST(Sculpture, DamagedFilesAreRefusedOrRead) {
   Random random(6);
-  const std::string whole = text;
+  const std::string whole = ball_text;
   for (int i = 0; i < 3000; ++i) {
     std::string damaged = whole;
     for (Index k = 1 + random.index(3); k > 0; --k) {

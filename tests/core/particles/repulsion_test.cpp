@@ -188,10 +188,10 @@ TEST(Repulsion, CurvatureIsThatOfTheSurface) {  // sqrt(k1^2 + k2^2)
 TEST(Radii, FollowTheEnergy) {  // eq. 10 to first order in the time step
   const RadiusRule rule = {.gain = 15, .desired_energy = 4.8, .softening = 0, .largest = 10};
   const Values radii{{0.5, 0.5}}, own{{4.0, 5.5}}, slope{{30, 40}};
-  const double dt = 1e-4;
-  const Values next = next_radii(radii, own, slope, rule, dt);
-  for (int i = 0; i < 2; ++i)  // dD = D_sigma dsigma = -rho (D - E) dt
-    EXPECT_NEAR(slope[i] * (next[i] - radii[i]), -15 * (own[i] - 4.8) * dt, 1e-12);
+  const double step = 1e-4;
+  const Values next = next_radii(radii, own, slope, rule, step);
+  for (int i = 0; i < 2; ++i)  // dD = D_sigma dsigma = -rho (D - E) step
+    EXPECT_NEAR(slope[i] * (next[i] - radii[i]), -15 * (own[i] - 4.8) * step, 1e-12);
   // Alone: no slope, no infinity. Crowded: no collapse in a step.
   const Values bounded =
       next_radii(Values{{0.5, 0.5}}, Values{{0.0, 600.0}}, Values{{0.0, 1.0}},
