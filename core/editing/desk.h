@@ -80,6 +80,8 @@ class Desk {
   void let_go();
   /// Takes back what is in hand, as Esc. False where nothing was.
   bool cancel();
+  /// A command of a recorded session, done as it was then: for demonstrations. False where it was refused.
+  bool do_again(const Command<2>& command);
 
   void take(Tool tool);
   /// Those of `indices` that exist.
@@ -145,8 +147,9 @@ class Desk {
 
   // --- Documents.
 
-  /// Reads the file and makes it the document, without a step to undo. False where it cannot be read: the
-  /// message says why, and nothing has changed.
+  /// Reads the file and makes it the document, without a step to undo. A recorded session is done again: what
+  /// was done can then be undone, and the document has no file. False where it cannot be read: the message
+  /// says why, and nothing has changed.
   bool open(const std::filesystem::path& path);
   /// All or nothing. False where it cannot be written.
   bool save(const std::filesystem::path& path);
@@ -199,40 +202,45 @@ class Desk {
   // desk_hand.cpp
   void press(const PointerDown& event);
   void begin_hand(const PointerDown& event, const std::vector<Hit>& found);
-  void move(const PointerMoved& event);
-  void drag(const Point<2>& at, const Held& held);
   std::optional<DeskCommand> release(const PointerUp& event);
   std::optional<DeskCommand> click();
   void end_hand();
-  void turn_wheel(const WheelTurned& event);
   void open_gesture();
   bool place(ConstraintKind kind, const Point<2>& at, const Held& held);
   bool give_normal();
+  std::vector<Hit> hits_at(const Point<2>& at);
+
+  // desk_drag.cpp
+  void move(const PointerMoved& event);
+  void drag(const Point<2>& at, const Held& held);
   void drag_constraints(const Point<2>& at, const Held& held);
   void turn_normal(const Point<2>& at, const Held& held);
+  void turn_wheel(const WheelTurned& event);
   Point<2> snapped(const Point<2>& at, const Held& held) const;
   Point<2> line_end(const Point<2>& at, const Held& held) const;
-  std::vector<Hit> hits_at(const Point<2>& at);
 
   // desk.cpp
   std::optional<DeskCommand> key(const KeyDown& event);
   std::optional<DeskCommand> run(DeskCommand command);
+  bool did(const Action<2>& action);  // applies it; where it is refused, says why
+  void close_gesture();
+  void keep_home();
+
+  // desk_commands.cpp
   void run_selection(DeskCommand command);
   void run_edit(DeskCommand command);
   void run_display(DeskCommand command);
-  bool did(const Action<2>& action);  // applies and says why not
-  void close_gesture();
   void undo_or_redo(bool undo);
   void nudge(const Point<2>& direction, bool far);
   void lever(double factor);
   void make(ConstraintKind kind);
-  void add_cage();
+  void add_normals();
   void add(const Constraints<2>& constraints, const char* none_left);
   bool room_for(std::size_t more);
-  void keep_home();
 
   // desk_document.cpp
-  void replace(Document<2> document, std::filesystem::path path, bool saved);
+  void check_size(Index count, const std::string& name) const;
+  void replace(Editor<2> next, std::filesystem::path path, bool saved);
 
   DeskOptions options_;
   Editor<2> editor_;

@@ -1,21 +1,29 @@
 // A desk's document: files, the clipboard, recording.
+#include <new>
+
+#include "core/base/file.h"
 #include "core/editing/desk.h"
+#include "core/editing/replay.h"
 #include "core/scene/document_json.h"
 
 namespace seesaw {
 
 namespace {
 
-std::string too_many(std::size_t count, Index most) {
-  return "has " + std::to_string(count) + " constraints; up to " + std::to_string(most) + " can be edited";
-}
+/// As core/scene/document_json.h has it.
+constexpr std::size_t largest_file = std::size_t{256} << 20;
 
 }  // namespace
 
+void Desk::check_size(Index count, const std::string& name) const {
+  if (count > options_.most_constraints)
+    throw FileError(name, "has " + std::to_string(count) + " constraints; up to " +
+                              std::to_string(options_.most_constraints) + " can be edited");
+}
+
 // The new editor is there before the old one goes: whatever is thrown, the open document stays.
-void Desk::replace(Document<2> document, std::filesystem::path path, bool saved) {
+void Desk::replace(Editor<2> next, std::filesystem::path path, bool saved) {
   let_go();
-  Editor<2> next(std::move(document), options_.editor);
   revisions_before_ = revision() + 1;
   editor_ = std::move(next);
   recording_ = false;
@@ -23,7 +31,7 @@ void Desk::replace(Document<2> document, std::filesystem::path path, bool saved)
   profile_.reset();
   path_ = std::move(path);
   saved_state_ = saved ? std::optional<std::uint64_t>(0) : std::nullopt;
-  display_ = saved_display_ = editor_.document().display;
+  display_ = saved_display_ = document().display;
   before_.reset();
   comparing_ = false;
   other_kernel_.reset();
@@ -32,11 +40,23 @@ void Desk::replace(Document<2> document, std::filesystem::path path, bool saved)
 
 bool Desk::open(const std::filesystem::path& path) {
   try {
-    Document<2> document = read_document<2>(path);
-    if (document.constraints.size() > static_cast<std::size_t>(options_.most_constraints))
-      throw FileError(path.string(), too_many(document.constraints.size(), options_.most_constraints));
-    replace(std::move(document), path, true);
-    say("opened " + path.string());
+    const std::string text = read_file(path, largest_file);
+    try {
+      Document<2> document = parse_document<2>(text, path.string());
+      check_size(static_cast<Index>(document.constraints.size()), path.string());
+      replace(Editor<2>(std::move(document), options_.editor), path, true);
+      say("opened " + path.string());
+    } catch (const FileError&) {
+      if (text.find("\"seesaw_session\"") == std::string::npos) throw;
+      const AnySession any = parse_session(text, path.string());
+      const auto* session = std::get_if<Session<2>>(&any);
+      if (!session)
+        throw FileError(path.string(), "is a session of dimension 3; expected one of dimension 2");
+      Editor<2> editor = replay(*session, {.editor = options_.editor});
+      check_size(editor.size(), path.string());
+      replace(std::move(editor), {}, false);
+      say("did again what was recorded in " + path.string());
+    }
     return true;
   } catch (const Error& error) {
     say(error.what(), true);
@@ -61,10 +81,10 @@ bool Desk::save(const std::filesystem::path& path) {
   return true;
 }
 
-void Desk::start(Document<2> document) { replace(std::move(document), {}, true); }
+void Desk::start(Document<2> document) { replace(Editor<2>(std::move(document), options_.editor), {}, true); }
 
 void Desk::recover(Document<2> document, const std::filesystem::path& path) {
-  replace(std::move(document), path, false);
+  replace(Editor<2>(std::move(document), options_.editor), path, false);
   say("recovered; it is not saved yet");
 }
 
@@ -119,8 +139,7 @@ bool Desk::paste_scene(const std::string& text) {
   let_go();
   try {
     Document<2> pasted = parse_document<2>(text, "the clipboard");
-    if (pasted.constraints.size() > static_cast<std::size_t>(options_.most_constraints))
-      throw Error("the clipboard " + too_many(pasted.constraints.size(), options_.most_constraints));
+    check_size(static_cast<Index>(pasted.constraints.size()), "the clipboard");
     const Display<2> display = pasted.display;
     if (!did(Restore<2>{std::move(pasted)})) return false;
     display_ = display;
@@ -148,6 +167,24 @@ std::optional<Session<2>> Desk::stop_recording() {
   std::optional<Session<2>> result = std::move(*session_);
   session_.reset();
   return result;
+}
+
+bool Desk::do_again(const Command<2>& command) {
+  if (hand_) let_go();
+  if (const auto* action = std::get_if<Action<2>>(&command)) return did(*action);
+  if (std::holds_alternative<BeginGesture>(command)) {
+    close_gesture();
+    editor_.begin_gesture();
+    open_ = Open::slider;
+  } else if (std::holds_alternative<CancelGesture>(command)) {
+    cancel();
+  } else {
+    close_gesture();
+    if (const auto* label = std::get_if<Label>(&command)) editor_.label(label->text);
+    if (std::holds_alternative<Undo>(command)) undo_or_redo(true);
+    if (std::holds_alternative<Redo>(command)) undo_or_redo(false);
+  }
+  return true;
 }
 
 }  // namespace seesaw

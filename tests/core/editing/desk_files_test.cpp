@@ -124,6 +124,21 @@ TEST_F(DeskFiles, AnotherDocumentStartsAnew) {
   EXPECT_EQ(desk.name(), "b.json*");
 }
 
+TEST_F(DeskFiles, ASessionIsDoneAgain) {
+  Desk desk(start_document<2>());
+  desk.start_recording();
+  desk.apply(MoveTo<2>{0, {2, 2}});
+  desk.perform(DeskCommand::cage);
+  write_session(folder / "session.json", *desk.stop_recording());
+  Desk other;
+  ASSERT_TRUE(other.open(folder / "session.json")) << other.message().text;
+  EXPECT_EQ(bits_of(other.document()), bits_of(desk.document()));
+  EXPECT_EQ(other.editor().undo_size(), desk.editor().undo_size());
+  EXPECT_TRUE(other.unsaved());
+  EXPECT_TRUE(other.path().empty()) << "a save is not to write over the session";
+  EXPECT_FALSE(other.recording());
+}
+
 TEST_F(DeskFiles, BrokenHugeAndForeignFilesLeaveTheOpenDocument) {
   const std::string good = to_json_text(many(3, 0));
   write_file(folder / "empty.json", "");
@@ -132,6 +147,8 @@ TEST_F(DeskFiles, BrokenHugeAndForeignFilesLeaveTheOpenDocument) {
   write_file(folder / "space.json", R"({"seesaw": 1, "dimension": 3, "constraints": []})");
   write_file(folder / "newer.json", R"({"seesaw": 99, "dimension": 2, "constraints": []})");
   write_file(folder / "deep.json", std::string(100'000, '['));
+  write_file(folder / "session.json", R"({"seesaw_session": 1, "dimension": 2, "start": )" + good +
+                                          R"(, "actions": [{"do": "delete", "which": 7}]})");
   write_file(folder / "huge.json", to_json_text(many(5001, 0)));
   fs::create_directory(folder / "folder.json");
   { std::ofstream(folder / "sparse.json").seekp((std::streamoff{1} << 28) + 10).put('x'); }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/editing/desk.h"
+#include "core/editing/replay.h"
 #include "tests/core/editing/documents.h"
 
 namespace seesaw {
@@ -114,6 +115,7 @@ TEST(DeskRandom, AHundredThousandEventsKeepWhatMustHold) {
   Desk desk(start_document<2>(), options);
   desk.view().resize(800, 600);
   desk.fit();
+  desk.start_recording();
   const std::string start = bits_of(desk.document());
   std::map<std::uint64_t, std::size_t> hash_of_state = {{0, std::hash<std::string>()(start)}};
   DeskMonkey monkey(2026);
@@ -126,6 +128,10 @@ TEST(DeskRandom, AHundredThousandEventsKeepWhatMustHold) {
     // Else it would soon be among constraints 1e40 apart, and stay there.
     if (i % 500 == 499) desk.apply(Restore<2>{start_document<2>()});
     if (i % 500 == 499) desk.fit();
+    // Now and then a slider, or a field.
+    if (const Index n = desk.editor().size(); n > 0 && i % 40 < 3)
+      desk.slide(SetValue{{monkey.random().index(n)}, monkey.random().normal()});
+    if (i % 40 == 5) desk.let_go();
     const DeskEvent event = monkey.next(desk);
     const auto steps = static_cast<Index>(desk.editor().undo_size());
     if (desk.handle(event)) ++commands_left;
@@ -193,6 +199,16 @@ TEST(DeskRandom, AHundredThousandEventsKeepWhatMustHold) {
   desk.let_go();
   EXPECT_FALSE(desk.editor().in_gesture());
   const std::string end = bits_of(desk.document());
+  // What was recorded gives the same, without a solver.
+  ReplayOptions<2> without;
+  without.editor.solve_at_once = false;
+  without.editor.solver = [](const Constraints<2>&, const FitOptions&) -> Fit<2> {
+    throw std::logic_error("asked");
+  };
+  const Session<2> session = *desk.stop_recording();
+  const Editor<2> again = replay(session, without);
+  EXPECT_EQ(bits_of(again.document()), end);
+  EXPECT_EQ(again.undo_size(), desk.editor().undo_size());
   const std::size_t steps = desk.editor().undo_size();
   EXPECT_GT(steps, static_cast<std::size_t>(desk_events / 100));
   while (desk.editor().undo_size() > 0) {

@@ -717,6 +717,7 @@ TEST_F(DeskTest, BeforeAndAfterAndAnotherKernel) {
     names.push_back(desk.other_name());
     if (desk.other()) {
       EXPECT_NE(desk.other()->kernel(), desk.document().kernel);
+      EXPECT_EQ(std::string(name_of(desk.other()->kernel())), desk.other_name());
       EXPECT_NEAR(desk.other()->value(place(4)), 1, 1e-9) << "it follows the document";
       hand.key(K::right);
       EXPECT_NEAR(desk.other()->value(place(4)), 1, 1e-9);
@@ -780,6 +781,41 @@ TEST_F(DeskTest, ASessionIsRecordedAndReplayed) {
   const auto second = desk.stop_recording();
   ASSERT_TRUE(second) << "another document ends it; nothing is lost";
   EXPECT_EQ(bits_of(replay(*second, options).document()), end);
+
+  // Again, a command at a time, before an audience that interferes.
+  Desk shown(small_scene());
+  for (const RecordedCommand<2>& each : session->commands) EXPECT_TRUE(shown.do_again(each.command));
+  EXPECT_EQ(bits_of(shown.document()), bits_of(replay(*session, options).document()));
+  EXPECT_FALSE(shown.editor().in_gesture());
+  shown.do_again(BeginGesture{});
+  shown.do_again(Action<2>(Move<2>{{0}, {1, 0}}));
+  TestHand{shown}.click({3, 2});
+  EXPECT_TRUE(shown.do_again(Action<2>(Move<2>{{0}, {1, 0}})));
+  EXPECT_TRUE(shown.do_again(EndGesture{}));
+  EXPECT_FALSE(shown.do_again(Action<2>(Delete{{99}})));
+  EXPECT_FALSE(shown.editor().in_gesture());
+}
+
+TEST_F(DeskTest, AReleaseFromNowhereStillLetsGo) {
+  hand.down(place(2));
+  hand.to({2, 2});
+  hand.up({NAN, INFINITY});
+  EXPECT_EQ(desk.gesture(), Gesture::none);
+  EXPECT_EQ(place(2), Point<2>(2, 2));
+}
+
+TEST_F(DeskTest, ASliderAndAKeyAreTwoSteps) {
+  hand.click(place(4));
+  desk.slide(SetValue{{4}, 2});
+  hand.key(K::left);
+  EXPECT_EQ(desk.editor().undo_size(), 2u);
+  desk.slide(SetValue{{4}, 3});
+  hand.key(K::z, ctrl_key);
+  EXPECT_EQ(desk.constraint(4).value, 2);
+  desk.slide(Action<2>(Add<2>{{{boundary<2>({3, 3})}}}));
+  EXPECT_THAT(desk.selection().indices(), ElementsAre(5));
+  desk.cancel();
+  EXPECT_TRUE(desk.selection().empty());
 }
 
 }  // namespace
