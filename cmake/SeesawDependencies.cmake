@@ -65,3 +65,13 @@ else()
 endif()
 seesaw_dependency(embree embree)
 set_property(TARGET SeesawDeps::embree PROPERTY INTERFACE_COMPILE_DEFINITIONS SEESAW_EMBREE_VERSION=${SEESAW_EMBREE_VERSION})
+
+# Windows: only where all three are installed.
+pkg_check_modules(SEESAW_SDL2 QUIET IMPORTED_TARGET GLOBAL sdl2>=2.0.22)
+pkg_check_modules(SEESAW_EPOXY QUIET IMPORTED_TARGET GLOBAL epoxy)
+pkg_check_modules(SEESAW_IMGUI QUIET IMPORTED_TARGET GLOBAL imgui>=1.86)
+if(SEESAW_SDL2_FOUND AND SEESAW_EPOXY_FOUND AND SEESAW_IMGUI_FOUND)
+  seesaw_dependency(window PkgConfig::SEESAW_SDL2 PkgConfig::SEESAW_EPOXY PkgConfig::SEESAW_IMGUI)
+else()
+  message(STATUS "Seesaw: SDL2, libepoxy or Dear ImGui not found; the programs with windows are left out")
+endif()
