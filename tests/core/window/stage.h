@@ -30,7 +30,7 @@ inline std::unique_ptr<Window> window_for_tests(WindowOptions options = {.width 
 #define SEESAW_WINDOW_OR_SKIP(name, ...)                        \
   const auto name##_owner = window_for_tests(__VA_ARGS__);      \
   if (!name##_owner) GTEST_SKIP() << "no OpenGL 3.3 to be had"; \
-  Window& name = *name##_owner
+  [[maybe_unused]] Window& name = *name##_owner
 
 /// Plays the script to its end with `draw` drawing each frame. Returns every event, and the last frame.
 struct Played {
