@@ -25,7 +25,8 @@ void start_video(Screen screen) {
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
   const char* const asked = std::getenv("SDL_VIDEODRIVER");
   const bool was_asked = asked && *asked;
-  if (screen == Screen::none && !was_asked) SDL_SetHint(SDL_HINT_VIDEODRIVER, "offscreen");
+  // Null for a window after one without a screen.
+  SDL_SetHint(SDL_HINT_VIDEODRIVER, screen == Screen::none && !was_asked ? "offscreen" : nullptr);
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0)
     throw Error(std::string("SDL cannot open a window") +
                 (was_asked ? std::string(" by its driver \"") + asked + '"' : "") + ": " + SDL_GetError());
