@@ -11,11 +11,7 @@
 namespace seesaw {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int desk_events = 30'000;
-#else
 constexpr int desk_events = 100'000;
-#endif
 
 class DeskMonkey {
  public:
@@ -86,6 +82,7 @@ class DeskMonkey {
       last_key_ = random_.index(2) ? DeskKey::z : DeskKey::y;
       return KeyDown{last_key_, {.ctrl = true}, random_.index(4) == 0};
     }
+    if (what == 18) return KeyDown{random_.index(2) ? DeskKey::n : DeskKey::del, {.shift = true}};
     // Any key of the table, those that select or paste everything less often; now and then one that is in
     // none.
     if (what == 19) return KeyDown{static_cast<DeskKey>(random_.index(desk_keys)), held()};
