@@ -181,7 +181,8 @@ TEST_F(DeskFiles, KilledInMidSaveTheFileIsWhole) {
   write_document(file, a);
   Random random(4);
   int of_a = 0, of_b = 0, unfinished = 0;
-  for (int kill = 0; kill < 25; ++kill) {
+  // More on a machine that is too busy to be caught in the middle.
+  for (int kill = 0; kill < 25 || (kill < 500 && (unfinished == 0 || of_b == 0)); ++kill) {
     const pid_t child = in_child([&] {
       for (int i = 0;; ++i) write_document(file, i % 2 ? a : b);
     });
@@ -311,7 +312,7 @@ TEST_F(DeskFiles, KilledInMidAutosaveACopyIsWholeOrThatOfBefore) {
   const fs::path state = folder / "state";
   Random random(6);
   int found_some = 0;
-  for (int kill = 0; kill < 10; ++kill) {
+  for (int kill = 0; kill < 10 || (kill < 500 && found_some == 0); ++kill) {
     const pid_t child = in_child([&] {
       Autosave autosave(state, 0);
       for (int i = 0;; ++i) {
