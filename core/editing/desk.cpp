@@ -53,7 +53,7 @@ Desk::Desk(Document<2> document, DeskOptions options)
 std::optional<DeskCommand> Desk::handle(const DeskEvent& event) {
   if (const auto* down = std::get_if<KeyDown>(&event)) return key(*down);
   if (const auto* up = std::get_if<KeyUp>(&event)) {
-    if (up->key == DeskKey::space) space_ = false;
+    if (up->key == pan_key) space_ = false;
     if (open_ == Open::nudge) close_gesture();
     return std::nullopt;
   }
@@ -69,13 +69,13 @@ std::optional<DeskCommand> Desk::handle(const DeskEvent& event) {
 }
 
 std::optional<DeskCommand> Desk::key(const KeyDown& event) {
-  if (event.key == DeskKey::space && event.held == Held{}) {
+  if (event.key == pan_key && event.held == Held{}) {
     space_ = true;
     return std::nullopt;
   }
   const bool drawing = hand_ && (hand_->gesture == Gesture::line || hand_->gesture == Gesture::circle);
-  if (drawing && (event.key == DeskKey::plus || event.key == DeskKey::minus)) {
-    set_count(count_ + (event.key == DeskKey::plus ? 1 : -1));
+  if (drawing && (event.key == more_key || event.key == fewer_key)) {
+    set_count(count_ + (event.key == more_key ? 1 : -1));
     return std::nullopt;
   }
   const std::optional<DeskCommand> command = command_of(event.key, event.held);

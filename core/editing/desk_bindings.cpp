@@ -284,24 +284,31 @@ WheelUse wheel_use(bool drawing, const Held& held) {
 
 std::vector<HelpLine> help_lines() {
   std::vector<HelpLine> lines;
-  // Rows that say the same, one after another, are one line with several keys.
+  // Lines of a section stand together; what says the same is one line with several keys.
   const auto say = [&](const std::string& section, const std::string& keys, const std::string& words) {
-    if (!lines.empty() && lines.back().section == section && lines.back().words == words)
-      lines.back().keys += ", " + keys;
-    else
-      lines.push_back({section, keys, words});
+    auto place = lines.end();
+    for (auto line = lines.begin(); line != lines.end(); ++line) {
+      if (line->section != section) continue;
+      if (line->words == words) {
+        line->keys += ", " + keys;
+        return;
+      }
+      place = line + 1;
+    }
+    lines.insert(place, {section, keys, words});
   };
   for (const KeyBinding& row : key_bindings())
     say(row.section, name_of(row.held) + name_of(row.key), row.words);
   for (const bool any : {true, false})
     for (const PointerBinding& row : pointer_bindings())
       if ((row.tools == any_tool) == any) say(section_of(row), keys_for(row), words_of(row));
-  say("Pointer, with any tool", "Space held", "pan, as with the pan tool");
+  say("Pointer, with any tool", name_of(pan_key) + " held", "pan, as with the pan tool");
   for (const DragBinding& row : drag_bindings()) {
     std::string keys = name_of(row.held);
     keys.pop_back();
     say("While dragging", keys, row.words);
   }
+  say("While dragging", name_of(more_key) + ", " + name_of(fewer_key), wheel_bindings().front().words);
   for (const WheelBinding& row : wheel_bindings())
     say("Wheel", name_of(row.held.value_or(Held{})) + (row.while_drawing ? "Wheel while drawing" : "Wheel"),
         row.words);

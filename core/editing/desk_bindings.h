@@ -118,6 +118,11 @@ std::optional<DeskCommand> command_of(DeskKey key, const Held& held);
 /// Its keys, for a menu: "Ctrl+Shift+Z"; empty where it has none. The first of several.
 std::string keys_of(DeskCommand command);
 
+/// Held down it makes the pointer pan, whatever the tool.
+inline constexpr DeskKey pan_key = DeskKey::space;
+/// While a line or circle of constraints is drawn they do what the wheel does.
+inline constexpr DeskKey more_key = DeskKey::plus, fewer_key = DeskKey::minus;
+
 /// What a press begins.
 enum class Gesture {
   none,

@@ -336,6 +336,12 @@ TEST(Bindings, TheHelpHasAllOfThem) {
   EXPECT_TRUE(says("Ctrl+Shift+Z, Ctrl+Y", "redo"));
   EXPECT_TRUE(says("double click on the curve", "place a boundary constraint on it; nothing changes"));
   EXPECT_TRUE(says("middle button", "pan"));
+  EXPECT_TRUE(says("Space held", "pan, as with the pan tool"));
+  std::set<std::string> sections;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (i == 0 || lines[i].section != lines[i - 1].section) {
+      EXPECT_TRUE(sections.insert(lines[i].section).second) << "torn apart: " << lines[i].section;
+    }
   EXPECT_TRUE(
       says("Shift+click on a constraint", "into the selection, or out of it; drag: move the selection"));
   EXPECT_TRUE(says("drag", "draw the profile line"));
