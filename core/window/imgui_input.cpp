@@ -120,6 +120,16 @@ struct Tell {
 
 }  // namespace
 
+bool pressed_now(Key which) {
+#if IMGUI_VERSION_NUM >= 18700
+  for (const auto& [ours, theirs] : imgui_keys)
+    if (ours == which) return ImGui::IsKeyPressed(static_cast<ImGuiKey>(theirs), false);
+  return false;
+#else
+  return ImGui::IsKeyPressed(static_cast<int>(which), false);
+#endif
+}
+
 void start_imgui_input() { start(); }
 
 void tell_imgui(const InputEvent& event) { std::visit(Tell{}, event); }

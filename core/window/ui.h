@@ -85,8 +85,9 @@ Scope id(long number);
 /// Sliders, fields and choices within are so wide; negative: so much is left free to their right.
 Scope item_width(double width);
 
-// Dialogs: in the middle, over all else, until they are closed.
+// Dialogs: in the middle, over all else, until they are closed; Escape closes them, with nothing done.
 
+/// From anywhere, a menu too; it opens where and when dialog(title) is next called.
 void open_dialog(const std::string& title);
 Scope dialog(const std::string& title, double width = 0);
 void close_dialog();
@@ -97,7 +98,7 @@ Scope popup(const std::string& id);
 // Buttons.
 
 bool button(const std::string& label, double width = 0);
-/// The one that Enter stands for, in the accent's color.
+/// In the accent's color; in a dialog Enter presses it.
 bool main_button(const std::string& label, double width = 0);
 /// Looks pressed while `on`: tools.
 bool tool_button(const std::string& label, bool on, double width = 0);

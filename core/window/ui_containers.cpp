@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "core/window/imgui_input.h"
 #include "core/window/ui.h"
 #include "core/window/ui_state.h"
 
@@ -118,9 +119,12 @@ Scope item_width(double width) {
   return {true, ImGui::PopItemWidth};
 }
 
-void open_dialog(const std::string& title) { ImGui::OpenPopup(title.c_str()); }
+// Dear ImGui opens a popup only where it is drawn; a menu's item is elsewhere. So the wish waits for its
+// dialog.
+void open_dialog(const std::string& title) { ui_state().to_open.push_back(title); }
 
 Scope dialog(const std::string& title, double width) {
+  if (ui_state().take_to_open(title)) ImGui::OpenPopup(title.c_str());
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(vec(0.5 * static_cast<double>(window.x), 0.45 * static_cast<double>(window.y)),
                           ImGuiCond_Always, vec(0.5, 0.5));
@@ -129,15 +133,22 @@ Scope dialog(const std::string& title, double width) {
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr, flags)) return {false, nullptr};
   enter(title);
+  ++ui_state().dialogs;
+  // Out of a text field first.
+  if (detail::pressed_now(Key::escape) && !ImGui::IsAnyItemActive()) ImGui::CloseCurrentPopup();
   return {true, [] {
             ImGui::EndPopup();
             leave();
+            --ui_state().dialogs;
           }};
 }
 
 void close_dialog() { ImGui::CloseCurrentPopup(); }
 
-void open_popup(const std::string& id) { ImGui::OpenPopup(id.c_str()); }
-Scope popup(const std::string& id) { return open_if(ImGui::BeginPopup(id.c_str()), ImGui::EndPopup); }
+void open_popup(const std::string& id) { ui_state().to_open.push_back(id); }
+Scope popup(const std::string& id) {
+  if (ui_state().take_to_open(id)) ImGui::OpenPopup(id.c_str());
+  return open_if(ImGui::BeginPopup(id.c_str()), ImGui::EndPopup);
+}
 
 }  // namespace seesaw::ui

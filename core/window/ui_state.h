@@ -24,6 +24,11 @@ struct UiState {
   std::vector<Item> items = {};          ///< of this frame so far; between frames, of the last
   std::vector<std::string> panels = {};  ///< those that are open now, innermost last
 
+  std::vector<std::string> to_open = {};  ///< dialogs and popups that were asked for and not drawn yet
+  int dialogs = 0;                        ///< that are open around what is drawn now
+
+  /// Whether it was asked for; then it is no longer.
+  bool take_to_open(const std::string& name) { return std::erase(to_open, name) > 0; }
   void begin_frame() {
     items.clear();
     panels.clear();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/window/imgui_input.h"
 #include "core/window/ui.h"
 #include "core/window/ui_state.h"
 
@@ -44,7 +45,12 @@ Edit edit_of_last(const std::string& label, bool changed) {
 }  // namespace
 
 bool button(const std::string& label, double width) { return plain_button(label, width); }
-bool main_button(const std::string& label, double width) { return filled_button(label, width); }
+bool main_button(const std::string& label, double width) {
+  const bool pressed = filled_button(label, width);
+  // A text field lets go of Enter in the frame in which it is pressed.
+  return pressed ||
+         (detail::ui_state().dialogs > 0 && detail::pressed_now(Key::enter) && !ImGui::IsAnyItemActive());
+}
 bool tool_button(const std::string& label, bool on, double width) {
   return on ? filled_button(label, width) : plain_button(label, width);
 }

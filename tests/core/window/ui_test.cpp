@@ -143,6 +143,68 @@ TEST(Ui, APictureIsDraggedAndTurnedByTheWheel) {
   EXPECT_EQ(board.use.y, 25);
 }
 
+// From a menu to a dialog, into its field, and out by each of its doors.
+TEST(Ui, ADialogIsOpenedByAMenuAndClosedByEnterEscapeOrItsButtons) {
+  SEESAW_WINDOW_OR_SKIP(window, WindowOptions{.width = 480, .height = 400});
+  int saved = 0, below = 0;
+  bool open = false;
+  std::string name;
+  const auto draw = [&] {
+    if (const auto bar = ui::menu_bar())
+      if (const auto menu = ui::menu("File"))
+        if (ui::menu_item("Save as ...")) ui::open_dialog("Save");
+    if (const auto panel = ui::panel("P", {0, 40, 480, 360}))
+      if (ui::main_button("Below", 400)) ++below;
+    open = false;
+    if (const auto dialog = ui::dialog("Save", 300)) {
+      open = true;
+      ui::text_field("Name", name);
+      if (ui::main_button("Save")) {
+        ++saved;
+        ui::close_dialog();
+      }
+      ui::same_line();
+      if (ui::button("Cancel")) ui::close_dialog();
+    }
+  };
+  const std::string open_it = "frames 1\nclick \"File\"\nframes 1\nclick \"Save as ...\"\nframes 3\n";
+  play(window, open_it + "click \"Name\" -60 +0\ntext \"torus\"\nframes 1\n", draw);
+  EXPECT_TRUE(open);
+  const Played blocked = play(window, "click \"Below\"\nmove 470 390\npress\nrelease\n", draw);
+  for (const Input& input : blocked.inputs) EXPECT_TRUE(input.for_ui);
+  EXPECT_EQ(below, 0);
+  play(window, "click \"Name\" -60 +0\nkey end\ntext \".json\"\nkey enter\nframes 2\n", draw);
+  EXPECT_EQ(name, "torus.json");
+  EXPECT_EQ(saved, 1);
+  EXPECT_FALSE(open);
+  for (const char* way : {"key escape\nframes 2\n", "click \"Cancel\"\nframes 2\n"}) {
+    play(window, open_it, draw);
+    EXPECT_TRUE(open);
+    play(window, way, draw);
+    EXPECT_FALSE(open) << way;
+  }
+  play(window, open_it + "click \"Save/Save\"\nframes 2\nkey enter\n", draw);
+  EXPECT_EQ(saved, 2);
+  EXPECT_FALSE(open);
+  EXPECT_EQ(below, 0) << "Enter is for dialogs";
+}
+
+TEST(Ui, ANumberIsSteppedByItsButtons) {
+  SEESAW_WINDOW_OR_SKIP(window);
+  double value = 1;
+  int changed = 0;
+  const auto draw = [&] {
+    if (const auto panel = ui::panel("P", {0, 0, 320, 200})) {
+      const auto width = ui::item_width(150);
+      if (ui::number("n", value, 0.25)) ++changed;
+    }
+  };
+  // The plus button ends 150 pixels from the left, the label is some ten pixels more.
+  play(window, "frames 2\nclick \"n\" +56 +0\nframes 1\nclick \"n\" +56 +0\nframes 2\n", draw);
+  EXPECT_EQ(value, 1.5);
+  EXPECT_EQ(changed, 2);
+}
+
 // Whoever got the press gets the drag, wherever it leads.
 TEST(Ui, ADragBelongsToWhoeverGotItsPress) {
   SEESAW_BOARD_OR_SKIP(window, board);
