@@ -64,8 +64,10 @@ bool menu_switch(const std::string& label, bool& on, const std::string& keys) {
 
 Scope section(const std::string& label, bool open_at_first) {
   ImGui::PushFont(ui_state().fonts.bold);
+  ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
   const bool open =
       ImGui::CollapsingHeader(label.c_str(), open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  ImGui::PopStyleColor();
   ImGui::PopFont();
   note_item(label);
   return {open, nullptr};
