@@ -86,7 +86,7 @@ void edit_round(benchmark::State& state, Kernel kernel, Index n) {
     Point<Dim> shift = Point<Dim>::Zero();
     shift[0] = 1e-3 * std::cos(turn + static_cast<double>(i));
     shift[1] = 1e-3 * std::sin(turn + static_cast<double>(i));
-    constraints[at(i)].at += shift;
+    constraints[slot(i)].at += shift;
   };
   steps("twenty", [&] {
     for (Index i = 0; i < (n < 500 ? 3 : 20); ++i) shifted(i);

@@ -112,7 +112,7 @@ Index Border<Dim>::set(const std::vector<Index>& removed, const PointsRef<Dim>& 
   if (solves > 0) {
     Eigen::MatrixXd right_sides = Eigen::MatrixXd::Zero(n_ + Dim + 1, solves);
     for (Index k = 0; k < columns; ++k) {
-      const Column& column = unknown[at(k)];
+      const Column& column = unknown[slot(k)];
       if (column.removed < 0)
         right_sides.col(k) = column.g;
       else
@@ -122,13 +122,13 @@ Index Border<Dim>::set(const std::vector<Index>& removed, const PointsRef<Dim>& 
     const Eigen::MatrixXd z = base_->factorization.solve_all(right_sides);
     const Index before = static_cast<Index>(columns_.size());
     for (Index k = 0; k < columns; ++k) {
-      unknown[at(k)].z = z.col(k);
-      columns_.push_back(std::move(unknown[at(k)]));
+      unknown[slot(k)].z = z.col(k);
+      columns_.push_back(std::move(unknown[slot(k)]));
     }
     schur_.conservativeResize(before + columns, before + columns);
     for (Index j = 0; j < before + columns; ++j)
       for (Index i = j < before ? before : 0; i < before + columns; ++i)
-        schur_(i, j) = schur_entry(columns_[at(i)], columns_[at(j)]);
+        schur_(i, j) = schur_entry(columns_[slot(i)], columns_[slot(j)]);
     if (other_values) {
       change_ = std::move(change);
       y_change_ = z.col(columns);
@@ -150,13 +150,13 @@ std::optional<BorderedSolution> Border<Dim>::combine(const Values& y, const Valu
   if (size > 0) {
     Values right(size);
     right << Values::Zero(removed_), added_values;
-    for (Index i = 0; i < size; ++i) right[i] -= product(columns_[at(active_[at(i)])], y);
+    for (Index i = 0; i < size; ++i) right[i] -= product(columns_[slot(active_[slot(i)])], y);
     Eigen::MatrixXd schur = schur_(active_, active_);
     const SmallLu lu(std::move(schur));
     if (lu.singular()) return std::nullopt;
     u = lu.solve(right);
-    for (Index i = 0; i < size; ++i) x -= u[i] * columns_[at(active_[at(i)])].z;
-    for (Index i = 0; i < removed_; ++i) x[columns_[at(active_[at(i)])].removed] = 0.0;
+    for (Index i = 0; i < size; ++i) x -= u[i] * columns_[slot(active_[slot(i)])].z;
+    for (Index i = 0; i < removed_; ++i) x[columns_[slot(active_[slot(i)])].removed] = 0.0;
   }
   return BorderedSolution{x.head(n_), u.tail(size - removed_), x.tail(Dim + 1)};
 }

@@ -78,6 +78,22 @@ void add_transposed(double sign, const ConstBlock& a, const double* x, double* y
   cblas_dgemv(CblasColMajor, CblasTrans, as_int(a.rows), as_int(a.columns), sign, a.data, as_int(a.stride), x,
               1, 1.0, y, 1);
 }
+void divide(const ConstBlock& l, const Block& x) {
+  cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, as_int(x.rows),
+              as_int(x.columns), 1.0, l.data, as_int(l.stride), x.data, as_int(x.stride));
+}
+void divide_transposed(const ConstBlock& l, const Block& x) {
+  cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, as_int(x.rows),
+              as_int(x.columns), 1.0, l.data, as_int(l.stride), x.data, as_int(x.stride));
+}
+void subtract_times(const Block& y, const ConstBlock& a, const ConstBlock& x) {
+  cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, as_int(y.rows), as_int(y.columns), as_int(a.columns),
+              -1.0, a.data, as_int(a.stride), x.data, as_int(x.stride), 1.0, y.data, as_int(y.stride));
+}
+void subtract_transposed_times(const Block& y, const ConstBlock& a, const ConstBlock& x) {
+  cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, as_int(y.rows), as_int(y.columns), as_int(a.rows),
+              -1.0, a.data, as_int(a.stride), x.data, as_int(x.stride), 1.0, y.data, as_int(y.stride));
+}
 
 const char* name() { return "BLAS"; }
 
@@ -134,6 +150,20 @@ void add_product(double sign, const ConstBlock& a, const double* x, double* y) {
 }
 void add_transposed(double sign, const ConstBlock& a, const double* x, double* y) {
   map(y, a.columns).noalias() += sign * (map(a).transpose() * map(x, a.rows));
+}
+void divide(const ConstBlock& l, const Block& x) {
+  auto its = map(x);
+  map(l).triangularView<Eigen::Lower>().solveInPlace(its);
+}
+void divide_transposed(const ConstBlock& l, const Block& x) {
+  auto its = map(x);
+  map(l).transpose().triangularView<Eigen::Upper>().solveInPlace(its);
+}
+void subtract_times(const Block& y, const ConstBlock& a, const ConstBlock& x) {
+  map(y).noalias() -= map(a) * map(x);
+}
+void subtract_transposed_times(const Block& y, const ConstBlock& a, const ConstBlock& x) {
+  map(y).noalias() -= map(a).transpose() * map(x);
 }
 
 const char* name() { return "Eigen"; }

@@ -42,12 +42,17 @@ void subtract_square(const Block& a, const ConstBlock& u);            ///< a := 
 /// a := a - u v' - v u', lower triangle
 void subtract_both(const Block& a, const ConstBlock& u, const ConstBlock& v);
 
+void divide(const ConstBlock& l, const Block& x);             ///< x := L^-1 x
+void divide_transposed(const ConstBlock& l, const Block& x);  ///< x := L'^-1 x
+
 // Of any block a.
 
 void subtract_product(const Block& a, const ConstBlock& u, const ConstBlock& v);  ///< a := a - u v'
 /// y := y + sign a x and y := y + sign a' x.
 void add_product(double sign, const ConstBlock& a, const double* x, double* y);
 void add_transposed(double sign, const ConstBlock& a, const double* x, double* y);
+void subtract_times(const Block& y, const ConstBlock& a, const ConstBlock& x);             ///< y := y - a x
+void subtract_transposed_times(const Block& y, const ConstBlock& a, const ConstBlock& x);  ///< y := y - a' x
 
 const char* name();
 

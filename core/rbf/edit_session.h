@@ -52,7 +52,7 @@ struct EditOptions {
   double accuracy = 1e-9;
   /// Kernel evaluations that may be spent on looking at rows that did not change: all of them where N^2 is
   /// less, that many / N otherwise, evenly over the list.
-  Index check = 400000;
+  Index check = 200000;
 };
 
 /// How the last function came about.

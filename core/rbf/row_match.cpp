@@ -17,7 +17,7 @@ bool position_before(const Points<Dim>& a, Index i, const PointsRef<Dim>& b, Ind
 }  // namespace
 
 template <int Dim>
-RowFinder<Dim>::RowFinder(const PointsRef<Dim>& centers) : centers_(centers), order_(at(centers.cols())) {
+RowFinder<Dim>::RowFinder(const PointsRef<Dim>& centers) : centers_(centers), order_(slot(centers.cols())) {
   std::iota(order_.begin(), order_.end(), Index{0});
   std::stable_sort(order_.begin(), order_.end(),
                    [&](Index a, Index b) { return position_before<Dim>(centers_, a, centers_, b); });
@@ -26,12 +26,12 @@ RowFinder<Dim>::RowFinder(const PointsRef<Dim>& centers) : centers_(centers), or
 template <int Dim>
 RowMatch RowFinder<Dim>::match(const PointsRef<Dim>& centers) const {
   const Index n = centers_.cols();
-  std::vector<bool> taken(at(n), false);
+  std::vector<bool> taken(slot(n), false);
   const auto fits = [&](Index old_row, Index i) {
-    return old_row < n && !taken[at(old_row)] && centers_.col(old_row) == centers.col(i);
+    return old_row < n && !taken[slot(old_row)] && centers_.col(old_row) == centers.col(i);
   };
   RowMatch match;
-  match.old_row.reserve(at(centers.cols()));
+  match.old_row.reserve(slot(centers.cols()));
   Index expected = 0;  // the row after the last one that was found
   for (Index i = 0; i < centers.cols(); ++i) {
     Index found = fits(expected, i) ? expected : -1;
@@ -39,19 +39,19 @@ RowMatch RowFinder<Dim>::match(const PointsRef<Dim>& centers) const {
       auto here = std::lower_bound(order_.begin(), order_.end(), i, [&](Index old_row, Index j) {
         return position_before<Dim>(centers_, old_row, centers, j);
       });
-      while (here != order_.end() && centers_.col(*here) == centers.col(i) && taken[at(*here)]) ++here;
+      while (here != order_.end() && centers_.col(*here) == centers.col(i) && taken[slot(*here)]) ++here;
       if (here != order_.end() && fits(*here, i)) found = *here;
     }
     match.old_row.push_back(found);
     if (found < 0) {
       match.added.push_back(i);
     } else {
-      taken[at(found)] = true;
+      taken[slot(found)] = true;
       expected = found + 1;
     }
   }
   for (Index i = 0; i < n; ++i)
-    if (!taken[at(i)]) match.removed.push_back(i);
+    if (!taken[slot(i)]) match.removed.push_back(i);
   return match;
 }
 

@@ -8,7 +8,7 @@
 namespace seesaw {
 
 SmallLu::SmallLu(Eigen::MatrixXd matrix)
-    : matrix_(std::move(matrix)), factors_(matrix_), scale_(matrix_.rows()), order_(at(matrix_.rows())) {
+    : matrix_(std::move(matrix)), factors_(matrix_), scale_(matrix_.rows()), order_(slot(matrix_.rows())) {
   const Index n = matrix_.rows();
   SEESAW_CHECK_EQ(n, matrix_.cols());
   std::iota(order_.begin(), order_.end(), Index{0});
@@ -25,7 +25,7 @@ SmallLu::SmallLu(Eigen::MatrixXd matrix)
     pivot += k;
     if (pivot != k) {
       factors_.row(k).swap(factors_.row(pivot));
-      std::swap(order_[at(k)], order_[at(pivot)]);
+      std::swap(order_[slot(k)], order_[slot(pivot)]);
     }
     for (Index i = k + 1; i < n; ++i) factors_(i, k) /= factors_(k, k);
     for (Index j = k + 1; j < n; ++j)
@@ -36,7 +36,7 @@ SmallLu::SmallLu(Eigen::MatrixXd matrix)
 Values SmallLu::substitute(const Values& b) const {
   const Index n = b.size();
   Values x(n);
-  for (Index i = 0; i < n; ++i) x[i] = scale_[order_[at(i)]] * b[order_[at(i)]];
+  for (Index i = 0; i < n; ++i) x[i] = scale_[order_[slot(i)]] * b[order_[slot(i)]];
   for (Index k = 0; k < n; ++k) x.tail(n - k - 1) -= x[k] * factors_.col(k).tail(n - k - 1);
   for (Index k = n - 1; k >= 0; --k) {
     x[k] /= factors_(k, k);

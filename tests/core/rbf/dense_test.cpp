@@ -61,10 +61,14 @@ TEST_P(DenseTest, CholeskySolvesTheTrailingBlock) {
   const Index rest = n - first;
   dense::Symmetric s = stored(a);
   ASSERT_TRUE(dense::cholesky(s, first));
-  const Eigen::MatrixXd block = a.bottomRightCorner(rest, rest), b = random_matrix(rest, 3, random);
-  Eigen::MatrixXd x = b;
-  dense::solve(s, first, x);
-  EXPECT_LE((block * x - b).norm(), 1e-11 * static_cast<double>(n));
+  const Eigen::MatrixXd block = a.bottomRightCorner(rest, rest);
+  for (const Index columns : {3, 9}) {  // few and many go different ways
+    const Eigen::MatrixXd b = random_matrix(rest + 2, columns, random);
+    Eigen::MatrixXd x = b;
+    dense::solve(s, first, x.topRows(rest));
+    EXPECT_LE((block * x.topRows(rest) - b.topRows(rest)).norm(), 1e-11 * static_cast<double>(n));
+    EXPECT_EQ(x.bottomRows(2), b.bottomRows(2));
+  }
   // Rows and columns before the block are left as they were.
   for (Index j = 0; j < first; ++j) EXPECT_EQ(Values(s.column_from(j, j)), Values(a.col(j).tail(n - j)));
 }
