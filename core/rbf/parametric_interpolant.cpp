@@ -13,12 +13,17 @@ FitOptions without_condition(FitOptions options) {
   return options;
 }
 
+template <int Dim>
+std::shared_ptr<const FullFit<Dim>> fitted(const Constraints<Dim>& constraints, const FitOptions& options) {
+  return std::make_shared<const FullFit<Dim>>(full_fit(constraints, options));
+}
+
 }  // namespace
 
 template <int Dim>
 ParametricInterpolant<Dim>::ParametricInterpolant(const Constraints<Dim>& constraints,
                                                   const FitOptions& options)
-    : constraints_(constraints), options_(without_condition(options)), fit_(fit(constraints, options_)) {
+    : constraints_(constraints), options_(without_condition(options)), fit_(fitted(constraints, options_)) {
   Index count = 0;
   for (const Constraint<Dim>& each : constraints_) {
     first_.push_back(count);
@@ -29,23 +34,23 @@ ParametricInterpolant<Dim>::ParametricInterpolant(const Constraints<Dim>& constr
 
 template <int Dim>
 void ParametricInterpolant<Dim>::evaluate(const PointsRef<Dim>& points, Eigen::Ref<Values> values) const {
-  fit_.function.evaluate(points, values);
+  function().evaluate(points, values);
 }
 
 template <int Dim>
 void ParametricInterpolant<Dim>::evaluate(const PointsRef<Dim>& points, Eigen::Ref<Values> values,
                                           Eigen::Ref<Points<Dim>> gradients) const {
-  fit_.function.evaluate(points, values, gradients);
+  function().evaluate(points, values, gradients);
 }
 
 template <int Dim>
 double ParametricInterpolant<Dim>::gradient_bound(const Box<Dim>& box) const {
-  return fit_.function.gradient_bound(box);
+  return function().gradient_bound(box);
 }
 
 template <int Dim>
 Box<Dim> ParametricInterpolant<Dim>::bounding_box() const {
-  return fit_.function.bounding_box();
+  return function().bounding_box();
 }
 
 template <int Dim>
@@ -114,7 +119,7 @@ void ParametricInterpolant<Dim>::set_all(const Values& q) {
     each.value = q[first_[i] + Dim];
     if (each.normal) each.normal->value = q[first_[i] + Dim + 1];
   }
-  fit_ = fit(moved, options_);  // may throw: only then is anything changed
+  fit_ = fitted(moved, options_);  // may throw: only then is anything changed
   constraints_ = std::move(moved);
   sensitivity_.reset();
 }
@@ -123,11 +128,8 @@ void ParametricInterpolant<Dim>::set_all(const Values& q) {
 template <int Dim>
 std::vector<typename ParametricInterpolant<Dim>::RowParameters> ParametricInterpolant<Dim>::row_parameters()
     const {
-  Rows<Dim> rows = rows_of(constraints_);
-  if (options_.smoothing == 0.0) rows = merge_coincident(rows);
-  SEESAW_CHECK_EQ(static_cast<Index>(rows.origins.size()), fit_.function.size());
   std::vector<RowParameters> result;
-  for (const auto& origin : rows.origins) {
+  for (const auto& origin : fit_->rows.origins) {
     const Index position = position_parameter(origin.constraint);
     result.push_back({position, position + Dim + (origin.normal ? 1 : 0)});
   }
@@ -135,8 +137,8 @@ std::vector<typename ParametricInterpolant<Dim>::RowParameters> ParametricInterp
 }
 
 template <int Dim>
-Sensitivity<Dim>& ParametricInterpolant<Dim>::sensitivity() const {
-  if (!sensitivity_) sensitivity_.emplace(fit_.function, options_.smoothing);
+const Sensitivity<Dim>& ParametricInterpolant<Dim>::sensitivity() const {
+  if (!sensitivity_) sensitivity_.emplace(fit_);
   return *sensitivity_;
 }
 

@@ -20,14 +20,13 @@
 #include <optional>
 
 #include "core/implicit/parametric.h"
-#include "core/rbf/fit.h"
 #include "core/rbf/sensitivity.h"
 
 namespace seesaw {
 
-/// For Dim 2 and 3. set_q fits again, N^3 / 3 multiplications (of N rows); the first q_gradients or rates
-/// after that factors once more, the same again. A point of q_gradients costs a solve and N^2 kernels; all of
-/// `rates` costs one solve, and (Dim + 1) N kernels a point.
+/// For Dim 2 and 3. set_q fits again, N^3 / 3 multiplications (of N rows), and the factored matrix is kept
+/// for the derivatives: N^2 / 2 doubles. A point of q_gradients costs a solve and N^2 kernels; all of `rates`
+/// costs one solve, and (Dim + 1) N kernels a point.
 ///
 /// Rows that the fit has merged (two constraints at one position with one value) have no derivative: one of
 /// them stands for all, and the others' derivatives are given as zero.
@@ -55,8 +54,8 @@ class ParametricInterpolant final : public ParametricField<Dim> {
 
   /// As q has moved them.
   const Constraints<Dim>& constraints() const { return constraints_; }
-  const Interpolant<Dim>& function() const { return fit_.function; }
-  const FitReport& report() const { return fit_.report; }
+  const Interpolant<Dim>& function() const { return fit_->fit.function; }
+  const FitReport& report() const { return fit_->fit.report; }
 
  private:
   Values all() const override;
@@ -69,12 +68,12 @@ class ParametricInterpolant final : public ParametricField<Dim> {
     Index position, value;
   };
   std::vector<RowParameters> row_parameters() const;
-  Sensitivity<Dim>& sensitivity() const;
+  const Sensitivity<Dim>& sensitivity() const;
 
   Constraints<Dim> constraints_;
   FitOptions options_;
   std::vector<Index> first_;  // of each constraint's parameters
-  Fit<Dim> fit_;
+  std::shared_ptr<const FullFit<Dim>> fit_;
   mutable std::optional<Sensitivity<Dim>> sensitivity_;  // made when it is first asked for
 };
 

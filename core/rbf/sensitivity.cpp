@@ -1,11 +1,6 @@
 #include "core/rbf/sensitivity.h"
 
-#include <Eigen/LU>
-#include <cmath>
-
 #include "core/base/check.h"
-#include "core/base/error.h"
-#include "core/rbf/energy.h"
 
 namespace seesaw {
 namespace {
@@ -14,11 +9,6 @@ namespace {
 template <int Dim>
 Interpolant<Dim> normalized(const Interpolant<Dim>& f) {
   return {f.kernel(), f.normalized_centers(), {}, {f.normalized_weights(), f.normalized_polynomial()}};
-}
-
-template <int Dim>
-double normalized_smoothing(const Interpolant<Dim>& f, double smoothing) {
-  return smoothing / std::pow(f.normalization().scale, growth_of(f.kernel()));
 }
 
 // Onto the line or plane, of as many `directions` as the factorization found, that vectors (Dim x N) lie in:
@@ -40,91 +30,67 @@ Eigen::Matrix<double, Dim, Dim> projection_onto(Points<Dim> vectors, Index direc
 }  // namespace
 
 template <int Dim>
-Sensitivity<Dim>::Sensitivity(const Interpolant<Dim>& function, double smoothing)
-    : f_(function),
-      factorization_(function.normalized_centers(), function.kernel(),
-                     normalized_smoothing(function, smoothing)),
-      mean_(function.normalized_centers().rowwise().mean()),
-      centered_(function.normalized_centers().colwise() - mean_),
-      slopes_(Dim, function.size()) {
-  if (!factorization_.positive_definite())
-    throw Error("the constraints are too close together to tell how the surface moves with them");
-
-  projection_ = projection_onto<Dim>(centered_, factorization_.polynomial_rank() - 1);
-  // What is missing to full rank is filled up, inverted and taken out again.
-  const Eigen::Matrix<double, Dim, Dim> one = Eigen::Matrix<double, Dim, Dim>::Identity();
-  const Eigen::Matrix<double, Dim, Dim> spread = centered_ * centered_.transpose() + (one - projection_);
-  inverse_ = projection_ * spread.inverse() * projection_;
-
-  const double sign = f_.kernel() == Kernel::linear ? -1.0 : 1.0;
-  const Values none = Values::Zero(Dim + 1);
-  a_polynomials_.resize(f_.size(), Dim + 1);
-  for (int k = 0; k <= Dim; ++k) {
-    Values p = Values::Ones(f_.size());
-    if (k > 0) p = centered_.row(k - 1).transpose();
-    a_polynomials_.col(k) = function_with({p, none}).values(f_.normalized_centers()) +
-                            sign * normalized_smoothing(function, smoothing) * p;
-  }
-  Values values(f_.size());
-  normalized(f_).evaluate(f_.normalized_centers(), values, slopes_);
+Sensitivity<Dim>::Sensitivity(std::shared_ptr<const FullFit<Dim>> fit)
+    : fit_(std::move(fit)), slopes_(Dim, f().size()) {
+  const Points<Dim>& centers = f().normalized_centers();
+  projection_ = projection_onto<Dim>(centers.colwise() - centers.rowwise().mean(),
+                                     fit_->factorization.polynomial_rank() - 1);
+  Values values(f().size());
+  normalized(f()).evaluate(centers, values, slopes_);
 }
 
 template <int Dim>
 Interpolant<Dim> Sensitivity<Dim>::function_with(const Solution& solution) const {
-  return {f_.kernel(), f_.normalized_centers(), {}, solution};
+  return {f().kernel(), f().normalized_centers(), {}, solution};
 }
 
 template <int Dim>
-Solution Sensitivity<Dim>::solve(const Values& top, const Eigen::Matrix<double, Dim + 1, 1>& bottom) {
-  // y0 = P (P' P)^-1 bottom; sum of centered_ is 0, which makes P' P block diagonal.
-  Eigen::Matrix<double, Dim + 1, 1> by;
-  by[0] = bottom[0] / static_cast<double>(f_.size());
-  by.template tail<Dim>() = inverse_ * bottom.template tail<Dim>();
-  Solution solution = factorization_.solve(top - a_polynomials_ * by);
-  solution.weights += centered_.transpose() * by.template tail<Dim>();
-  solution.weights.array() += by[0];
-  return solution;
+Solution Sensitivity<Dim>::solve(const Values& top, const Eigen::Matrix<double, Dim + 1, 1>& bottom) const {
+  Eigen::MatrixXd right_side(top.size() + Dim + 1, 1);
+  right_side << top, bottom;
+  const Eigen::MatrixXd s = fit_->factorization.solve_all(right_side);
+  return {s.col(0).head(top.size()), s.col(0).tail(Dim + 1)};
 }
 
 template <int Dim>
-Eigen::Matrix<double, Dim + 1, Eigen::Dynamic> Sensitivity<Dim>::by_rows(const Point<Dim>& at) {
-  const Index n = f_.size();
-  const Point<Dim> x = f_.normalization().apply(at);
-  const Interpolant<Dim> phi(f_.kernel(), x, {}, {Values::Ones(1), Values::Zero(Dim + 1)});
+Eigen::Matrix<double, Dim + 1, Eigen::Dynamic> Sensitivity<Dim>::by_rows(const Point<Dim>& at) const {
+  const Index n = f().size();
+  const Point<Dim> x = f().normalization().apply(at);
+  const Interpolant<Dim> phi(f().kernel(), x, {}, {Values::Ones(1), Values::Zero(Dim + 1)});
   Eigen::Matrix<double, Dim + 1, 1> bottom;
-  bottom << 1, x - mean_;
-  const Solution y = solve(phi.values(f_.normalized_centers()), bottom);
+  bottom << 1, x;
+  const Solution y = solve(phi.values(f().normalized_centers()), bottom);
 
   // G_x is a sum of kernels at the centers and at x.
   Points<Dim> centers(Dim, n + 1);
-  centers << f_.normalized_centers(), x;
+  centers << f().normalized_centers(), x;
   Values weights(n + 1);
   weights << -y.weights, 1;
-  const Interpolant<Dim> green(f_.kernel(), centers, {}, {weights, -y.polynomial});
+  const Interpolant<Dim> green(f().kernel(), centers, {}, {weights, -y.polynomial});
   Values values(n);
   Points<Dim> gradients(Dim, n);
-  green.evaluate(f_.normalized_centers(), values, gradients);
+  green.evaluate(f().normalized_centers(), values, gradients);
 
   Eigen::Matrix<double, Dim + 1, Eigen::Dynamic> result(Dim + 1, n);
   result.template topRows<Dim>() =
-      projection_ * (gradients * f_.normalized_weights().asDiagonal() - slopes_ * y.weights.asDiagonal()) /
-      f_.normalization().scale;
+      projection_ * (gradients * f().normalized_weights().asDiagonal() - slopes_ * y.weights.asDiagonal()) /
+      f().normalization().scale;
   result.row(Dim) = y.weights.transpose();
   return result;
 }
 
 template <int Dim>
 Values Sensitivity<Dim>::rates(const PointsRef<Dim>& points, const PointsRef<Dim>& center_rates,
-                               const Values& value_rates) {
-  const Index n = f_.size();
+                               const Values& value_rates) const {
+  const Index n = f().size();
   SEESAW_CHECK_EQ(center_rates.cols(), n);
   SEESAW_CHECK_EQ(value_rates.size(), n);
-  const Points<Dim> velocities = projection_ * center_rates / f_.normalization().scale;
-  const Points<Dim> carried = velocities * f_.normalized_weights().asDiagonal();  // w_j c_j'
+  const Points<Dim> velocities = projection_ * center_rates / f().normalization().scale;
+  const Points<Dim> carried = velocities * f().normalized_weights().asDiagonal();  // w_j c_j'
 
   // u is minus a divergence; together with the points, so that the loops are started once.
   Points<Dim> all(Dim, n + points.cols());
-  all << f_.normalized_centers(), f_.normalization().apply(points);
+  all << f().normalized_centers(), f().normalization().apply(points);
   Values u = Values::Zero(all.cols()), values(all.cols());
   Points<Dim> gradients(Dim, all.cols());
   for (int d = 0; d < Dim; ++d) {

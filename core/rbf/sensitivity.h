@@ -1,6 +1,6 @@
 // How the fitted function changes when its centers and values do, without fitting again.
 //
-// Before it: core/rbf/interpolant.h, a function, and the rows it was fitted to.
+// Before it: core/rbf/full_fit.h, a function, and the factored matrix that it was fitted with.
 // After it: core/rbf/parametric_interpolant.h, on which control points work.
 //
 // Write eq. 8 of Turk & O'Brien 2002 (with smoothing, if any) as A s = [h; 0], s = [w; p], and f(x) = k(x)'
@@ -16,8 +16,8 @@
 //
 // where g is the function with weights and polynomial y, the one that interpolates phi(|z - x|) at the
 // centers. (A center's distance to itself stays 0, so its own part has no gradient: for r, whose gradient
-// does not exist there, that is exact.) y solves eq. 8 with a bottom that is not zero, P' y = [1; x]: take
-// any y0 that meets it, and solve for the rest, which is in the null space, with what y0 leaves of the top.
+// does not exist there, that is exact.) y solves eq. 8 with a bottom that is not zero, P' y = [1; x]:
+// Factorization::solve_all.
 //
 // For one direction (c', h') and many x it is cheaper to differentiate the system than its solution: with the
 // function that the centers carry along, u(x) = -sum_j w_j c_j' . grad phi(x - c_j),
@@ -30,39 +30,36 @@
 // is not continuous, so has no derivative; directions are then projected onto the line or plane.
 #pragma once
 
-#include "core/rbf/interpolant.h"
+#include <memory>
+
+#include "core/rbf/full_fit.h"
 
 namespace seesaw {
 
 template <int Dim>
 class Sensitivity {
  public:
-  /// `function` as fitted with `smoothing` (scene units, as in FitOptions). Factors its matrix again: memory
-  /// N^2 / 2 doubles, time N^3 / 3 multiplications. Throws Error where it is singular to rounding.
-  Sensitivity(const Interpolant<Dim>& function, double smoothing);
+  /// Costs N^2 gradients of the kernel.
+  explicit Sensitivity(std::shared_ptr<const FullFit<Dim>> fit);
 
   /// Of f at one point by every row: column i is [df/dc_i; df/dh_i], (Dim + 1) x N; value per scene unit, and
-  /// a pure number. A solve (2 N^2 multiplications) and N^2 gradients of the kernel. One caller at a time.
-  Eigen::Matrix<double, Dim + 1, Eigen::Dynamic> by_rows(const Point<Dim>& x);
+  /// a pure number. A solve (2 N^2 multiplications) and N^2 gradients of the kernel.
+  Eigen::Matrix<double, Dim + 1, Eigen::Dynamic> by_rows(const Point<Dim>& x) const;
 
   /// f_t at `points` (Dim x M), M, while centers move at `center_rates` (Dim x N, scene units per unit of
-  /// time) and values at `value_rates` (N). One solve, and Dim + 1 sums over the centers a point. One caller
-  /// at a time.
-  Values rates(const PointsRef<Dim>& points, const PointsRef<Dim>& center_rates, const Values& value_rates);
+  /// time) and values at `value_rates` (N). One solve, and Dim + 1 sums over the centers a point.
+  Values rates(const PointsRef<Dim>& points, const PointsRef<Dim>& center_rates,
+               const Values& value_rates) const;
 
  private:
   // Inside, all is in normalized coordinates.
+  const Interpolant<Dim>& f() const { return fit_->fit.function; }
   Interpolant<Dim> function_with(const Solution& solution) const;
-  /// A s = [top; bottom], of which the bottom belongs to linear functions about `mean_`.
-  Solution solve(const Values& top, const Eigen::Matrix<double, Dim + 1, 1>& bottom);
+  /// A s = [top; bottom].
+  Solution solve(const Values& top, const Eigen::Matrix<double, Dim + 1, 1>& bottom) const;
 
-  Interpolant<Dim> f_;
-  Factorization<Dim> factorization_;
-  Point<Dim> mean_;
-  Points<Dim> centered_;                        // c_i - mean, Dim x N
-  Eigen::Matrix<double, Dim, Dim> inverse_;     // of centered_ centered_', on the centers' line or plane
-  Eigen::Matrix<double, Dim, Dim> projection_;  // onto it
-  Eigen::MatrixXd a_polynomials_;               // (Phi + s lambda I) [1, centered'], N x (Dim + 1)
+  std::shared_ptr<const FullFit<Dim>> fit_;
+  Eigen::Matrix<double, Dim, Dim> projection_;  // onto the centers' line or plane, if they have one
   Points<Dim> slopes_;                          // grad f(c_i), Dim x N
 };
 

@@ -115,7 +115,6 @@ template <int Dim>
 Eigen::MatrixXd Factorization<Dim>::solve_all(const Eigen::MatrixXd& right_sides) const {
   SEESAW_CHECK_EQ(right_sides.rows(), n_ + Dim + 1);
   SEESAW_CHECK_EQ(positive_definite_, true);
-  SEESAW_CHECK_EQ(rank_, Index{Dim + 1});
   const Index free = n_ - rank_, m = right_sides.cols();
   Eigen::MatrixXd bottoms = right_sides.bottomRows(Dim + 1);
   bottoms.bottomRows(Dim) -= mean_ * bottoms.row(0);

@@ -21,7 +21,7 @@
 // 1e-12.
 //
 // Right sides [h; b] with P' w = b are met by w = Q1 z + Q2 v with R' z = b: what Q1 z adds to the top goes
-// to the right. core/rbf/border.h needs these.
+// to the right. core/rbf/border.h and sensitivity.h need these.
 //
 // Where all centers lie on one line (2D) or plane (3D), P has no full rank: the weights are determined all
 // the same and the polynomial is not. Among those that fit, the one of least norm is taken: f is then
@@ -58,8 +58,9 @@ class Factorization {
   /// the first calls also carry the condition's estimate forward.
   Solution solve(const Eigen::Ref<const Values>& values);
   /// [w; p] for many right sides [h; b] at once, (N + Dim + 1) x m, whose bottoms need not be zero: P' w = b
-  /// may ask for any sums over the weights. The matrix is read once for all of them. Needs
-  /// positive_definite() and polynomial_rank() == Dim + 1. 2 N^2 multiplications each.
+  /// may ask for any sums over the weights (for centers on one line or plane: for what sums there can be, the
+  /// nearest). The matrix is read once for all of them. Needs positive_definite(). 2 N^2 multiplications
+  /// each.
   Eigen::MatrixXd solve_all(const Eigen::MatrixXd& right_sides) const;
   /// Of s Q2' (Phi + s lambda I) Q2 in the 1-norm, estimated; three solves, less those that rode along above.
   double reciprocal_condition();
@@ -78,7 +79,7 @@ class Factorization {
   Point<Dim> mean_;             // linear functions are taken about it
   Skinny reflectors_;           // V: Q = I - V T V'
   Eigen::MatrixXd triangle_;    // T
-  Eigen::MatrixXd polynomial_;  // rank x (Dim + 1), takes Q1' (h - Phi w) to p
+  Eigen::MatrixXd polynomial_;  // (Dim + 1) x rank, takes Q1' (h - Phi w) to p
   dense::Symmetric matrix_;     // s Q' Phi Q; its trailing block factored in place
   InverseNorm estimate_{0};     // of that block's inverse
 };
