@@ -236,6 +236,8 @@ class Desk {
   void make(ConstraintKind kind);
   void add_normals();
   void add(const Constraints<2>& constraints, const char* none_left);
+  /// From a constraint to its copy.
+  Point<2> beside() const;
   bool room_for(std::size_t more);
 
   // desk_document.cpp

@@ -95,12 +95,11 @@ void Desk::run_edit(DeskCommand command) {
     case C::cage:
       return add(cage_around(document(), view_.scene()), "the cage is there already");
     case C::duplicate: {
-      const double step = grid_.on ? grid_step() : 12 * scale_ * view_.pixel();
       if (!any || !room_for(which.size())) return;
       Add<2> copies;
       for (const Index i : which) {
         copies.constraints.push_back(document().constraints[static_cast<std::size_t>(i)]);
-        copies.constraints.back().constraint.at += Point<2>(step, -step);
+        copies.constraints.back().constraint.at += beside();
       }
       did(copies);
       return;
@@ -257,6 +256,11 @@ void Desk::add(const Constraints<2>& constraints, const char* none_left) {
     action.constraints.push_back({.constraint = each});
   if (action.constraints.empty()) return say(none_left);
   if (room_for(action.constraints.size())) did(action);
+}
+
+Point<2> Desk::beside() const {
+  const double step = grid_.on ? grid_step() : 12 * scale_ * view_.pixel();
+  return {step, -step};
 }
 
 bool Desk::room_for(std::size_t more) {

@@ -5,15 +5,9 @@
 #include "core/editing/desk.h"
 #include "core/editing/replay.h"
 #include "core/scene/document_json.h"
+#include "core/scene/json_tape.h"
 
 namespace seesaw {
-
-namespace {
-
-/// As core/scene/document_json.h has it.
-constexpr std::size_t largest_file = std::size_t{256} << 20;
-
-}  // namespace
 
 void Desk::check_size(Index count, const std::string& name) const {
   if (count > options_.most_constraints)
@@ -40,7 +34,7 @@ void Desk::replace(Editor<2> next, std::filesystem::path path, bool saved) {
 
 bool Desk::open(const std::filesystem::path& path) {
   try {
-    const std::string text = read_file(path, largest_file);
+    const std::string text = read_file(path, JsonLimits{}.bytes);
     try {
       Document<2> document = parse_document<2>(text, path.string());
       check_size(static_cast<Index>(document.constraints.size()), path.string());
@@ -121,13 +115,13 @@ bool Desk::paste(const std::string& text) {
     if (pasted.constraints.empty()) throw Error("there is no constraint in the clipboard");
     if (!room_for(pasted.constraints.size())) return false;
     // Beside what they were copied from, and beside earlier copies.
-    const double step = grid_.on ? grid_step() : 12 * scale_ * view_.pixel();
+    const Point<2> aside = beside();
     const auto doubles = [&] {
       Constraints<2> plain = constraints_of(pasted);
       return without_doubles(plain, document()).size() < without_doubles(plain, {}).size();
     };
     for (int tries = 0; tries < 100 && doubles(); ++tries)
-      for (SceneConstraint<2>& each : pasted.constraints) each.constraint.at += Point<2>(step, -step);
+      for (SceneConstraint<2>& each : pasted.constraints) each.constraint.at += aside;
     return did(Add<2>{std::move(pasted.constraints)});
   } catch (const Error& error) {
     say(error.what(), true);

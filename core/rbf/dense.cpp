@@ -181,8 +181,7 @@ bool cholesky(Symmetric& a, Index first) {
 }
 
 // A few columns wait for the matrix to come from memory, and go through a panel one by one; many wait for the
-// processor, and go through together. (One column takes as long either way; 80
-// together take half as long.)
+// processor, and go through together. (One column takes as long either way; 80 together take half as long.)
 void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x) {
   const OneThread alone;
   constexpr Index many = 3;
