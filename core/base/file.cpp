@@ -14,6 +14,22 @@ namespace seesaw {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// A rename is an entry in a folder, and that is in memory like everything else until it is told to go to the
+// disk. False, with errno, where the disk failed; not every file system and not every folder can be told.
+bool flush_folder(const fs::path& folder) {
+  const int file = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return true;
+  const bool flushed = ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+  const int why = errno;
+  ::close(file);
+  errno = why;
+  return flushed;
+}
+
+}  // namespace
+
 std::string read_file(const fs::path& path, std::size_t limit) {
   std::error_code error;
   if (!fs::exists(path, error)) throw FileError(path.string(), "no such file");
@@ -68,13 +84,15 @@ void write_file(const fs::path& path, std::string_view bytes) {
                                                    : static_cast<fs::perms>(0666 & ~mask);
   fs::permissions(temporary, kept, error);
   if (::fsync(file) != 0) give_up("flushing");
-  if (::close(file) != 0) fail("closing");
-  if (::rename(temporary.c_str(), target.c_str()) != 0) {
+  const auto give_up_closed = [&](const char* what) {
     const int why = errno;
     ::unlink(temporary.c_str());
     errno = why;
-    fail("renaming");
-  }
+    fail(what);
+  };
+  if (::close(file) != 0) give_up_closed("closing");
+  if (::rename(temporary.c_str(), target.c_str()) != 0) give_up_closed("renaming");
+  if (!flush_folder(target.parent_path())) fail("flushing its folder");
 }
 
 }  // namespace seesaw
