@@ -14,7 +14,8 @@
 // sheet are cut off exactly. So a curve that runs off to infinity harms nothing.
 //
 // Before it: points on the page, from whoever maps a scene to it (chart.h, height_plot.h, a figure).
-// After it: Image (image.h), bytes of SVG or PDF, or a file.
+// After it: Image (image.h), pixels that are kept and painted again (raster.h), bytes of SVG or PDF, or a
+// file.
 #pragma once
 
 #include <filesystem>
@@ -124,6 +125,7 @@ class Canvas {
   struct Marks;  ///< the recorded marks; known to core/image alone
 
  private:
+  friend class Raster;
   std::unique_ptr<Marks> marks_;
 };
 

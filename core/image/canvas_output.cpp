@@ -9,9 +9,9 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/base/text.h"
 #include "core/image/canvas.h"
 #include "core/image/png.h"
+#include "core/image/raster.h"
 #include "core/image/sheet.h"
 #include "core/image/svg_text.h"
 
@@ -21,24 +21,6 @@ namespace {
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-void require(cairo_status_t status) {
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw Error(std::string("Cairo cannot draw this: ") + cairo_status_to_string(status));
-}
-
-void paint(const Canvas::Marks& marks, cairo_t* cr, bool pixels) {
-  const Brush brush{cr, pixels};
-  cairo_set_antialias(cr, CAIRO_ANTIALIAS_GRAY);
-  const Color c = safe(marks.background);
-  if (c.a > 0) {
-    cairo_set_source_rgba(cr, c.r, c.g, c.b, c.a);
-    cairo_paint(cr);
-  }
-  for (const auto& mark : marks.list) mark(brush);
-  for (auto scope = marks.open.rbegin(); scope != marks.open.rend(); ++scope) (*scope)(brush);
-  require(cairo_status(cr));
-}
-
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
@@ -46,16 +28,19 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 
 // Cairo's 32-bit pixels are native-endian ARGB with the color multiplied by alpha; ours are bytes R, G, B,
 // A with straight color.
-Image straight(const unsigned char* data, int stride, int width, int height) {
-  Image image(width, height);
-  for (int y = 0; y < height; ++y) {
-    const auto* row = reinterpret_cast<const std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
-    for (int x = 0; x < width; ++x) {
+Image straight(const Raster& raster) {
+  Image image(raster.width(), raster.height());
+  for (int y = 0; y < image.height(); ++y) {
+    const auto* row = reinterpret_cast<const std::uint32_t*>(raster.data() + static_cast<std::ptrdiff_t>(y) *
+                                                                                 raster.stride());
+    for (int x = 0; x < image.width(); ++x) {
       const std::uint32_t argb = row[x], alpha = argb >> 24;
       const auto part = [&](int shift) {
         const std::uint32_t premultiplied = argb >> shift & 0xFF;
-        return static_cast<std::uint8_t>(
-            alpha == 0 ? 0 : std::min(255u, (premultiplied * 255 + alpha / 2) / alpha));
+        return static_cast<std::uint8_t>(alpha == 255 ? premultiplied
+                                         : alpha == 0
+                                             ? 0
+                                             : std::min(255u, (premultiplied * 255 + alpha / 2) / alpha));
       };
       std::uint8_t* p = image.pixel(x, y);
       p[0] = part(16);
@@ -68,6 +53,24 @@ Image straight(const unsigned char* data, int stride, int width, int height) {
 }
 
 }  // namespace
+
+void require_cairo(int status) {
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw Error(std::string("Cairo cannot draw this: ") +
+                cairo_status_to_string(static_cast<cairo_status_t>(status)));
+}
+
+void replay_marks(const Canvas::Marks& marks, const Brush& brush) {
+  cairo_set_antialias(brush.cairo, CAIRO_ANTIALIAS_GRAY);
+  const Color c = safe(marks.background);
+  if (c.a > 0) {
+    cairo_set_source_rgba(brush.cairo, c.r, c.g, c.b, c.a);
+    cairo_paint(brush.cairo);
+  }
+  for (const auto& mark : marks.list) mark(brush);
+  for (auto scope = marks.open.rbegin(); scope != marks.open.rend(); ++scope) (*scope)(brush);
+  require_cairo(cairo_status(brush.cairo));
+}
 
 void Canvas::picture(const Image& image, const Rect& rect, Sampling sampling) {
   const double sizes = rect.x + rect.y + rect.width + rect.height;
@@ -107,20 +110,9 @@ void Canvas::picture(const Image& image, const Rect& rect, Sampling sampling) {
 }
 
 Image Canvas::image(double scale) const {
-  const double wide = std::round(width() * scale), high = std::round(height() * scale);
-  if (!(scale > 0) || !(wide <= 32767) || !(high <= 32767))
-    throw Error("a picture of " + to_text(width()) + " x " + to_text(height()) + " points at " +
-                to_text(scale) + " pixels a point cannot be made (1 to 32767 pixels a side)");
-  const int columns = std::max(1, static_cast<int>(wide)), rows = std::max(1, static_cast<int>(high));
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, columns, rows),
-                        &cairo_surface_destroy);
-  require(cairo_surface_status(surface.get()));
-  const Context cr(cairo_create(surface.get()), &cairo_destroy);
-  cairo_scale(cr.get(), columns / width(), rows / height());
-  paint(*marks_, cr.get(), true);
-  cairo_surface_flush(surface.get());
-  return straight(cairo_image_surface_get_data(surface.get()), cairo_image_surface_get_stride(surface.get()),
-                  columns, rows);
+  Raster raster;
+  raster.paint(*this, scale);
+  return straight(raster);
 }
 
 std::string Canvas::svg() const {
@@ -128,11 +120,11 @@ std::string Canvas::svg() const {
   {
     const Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, width(), height()),
                           &cairo_surface_destroy);
-    require(cairo_surface_status(surface.get()));
+    require_cairo(cairo_surface_status(surface.get()));
     const Context cr(cairo_create(surface.get()), &cairo_destroy);
-    paint(*marks_, cr.get(), false);
+    replay_marks(*marks_, {cr.get(), false});
     cairo_surface_finish(surface.get());
-    require(cairo_surface_status(surface.get()));
+    require_cairo(cairo_surface_status(surface.get()));
   }
   return tidied_svg(bytes, marks_->words);
 }
@@ -141,16 +133,16 @@ std::string Canvas::pdf() const {
   std::string bytes;
   const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, width(), height()),
                         &cairo_surface_destroy);
-  require(cairo_surface_status(surface.get()));
+  require_cairo(cairo_surface_status(surface.get()));
   // Without this Cairo writes today's date, and no two files would be alike.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   {
     const Context cr(cairo_create(surface.get()), &cairo_destroy);
-    paint(*marks_, cr.get(), false);
+    replay_marks(*marks_, {cr.get(), false});
     cairo_show_page(cr.get());
   }
   cairo_surface_finish(surface.get());
-  require(cairo_surface_status(surface.get()));
+  require_cairo(cairo_surface_status(surface.get()));
   return bytes;
 }
 

@@ -4,7 +4,7 @@
 // same list. Cairo itself keeps coordinates in 24 bits before the point and wraps around beyond: a point at
 // 1e9 would come back in the middle of the picture. So marks are cut to `reach` before Cairo sees them.
 //
-// Before it: canvas.cpp, which fills the list. After it: canvas_output.cpp, which replays it.
+// Before it: canvas.cpp, which fills the list. After it: canvas_output.cpp and raster.cpp, which replay it.
 #pragma once
 
 #include <functional>
@@ -46,6 +46,13 @@ std::vector<Points<2>> pieces_within(const PointsRef<2>& points, const Box<2>& b
 /// A closed ring cut to `box` (Sutherland and Hodgman 1974): inside the box it covers the same area, with
 /// the same winding. Points that are not numbers are left out.
 Points<2> ring_within(const PointsRef<2>& ring, const Box<2>& box);
+
+/// Paints the background and all marks, in the units of Brush's context: points. Throws Error where Cairo
+/// cannot.
+void replay_marks(const Canvas::Marks& marks, const Brush& brush);
+
+/// Throws Error for a cairo_status_t that is not success.
+void require_cairo(int status);
 
 /// A color as Cairo must have it: clamped to 0 .. 1, not a number is 0.
 Color safe(const Color& color);
