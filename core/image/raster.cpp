@@ -100,6 +100,28 @@ void Raster::paint(const Canvas& canvas, double scale) {
   }
 }
 
+void Raster::paint_over(const Canvas& canvas) {
+  if (empty()) return;
+  const RasterContext cr(cairo_create(surface_), &cairo_destroy);
+  cairo_scale(cr.get(), width() / canvas.width(), height() / canvas.height());
+  replay_marks(*canvas.marks_, {cr.get(), true});
+  cairo_surface_flush(surface_);
+}
+
+void Raster::copy(const Raster& other) {
+  if (&other == this) return;
+  if (other.empty()) return clear();
+  if (width() != other.width() || height() != other.height()) {
+    clear();
+    surface_ = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, other.width(), other.height());
+    require_cairo(cairo_surface_status(surface_));
+  }
+  // The rows of two surfaces of one size and format are equally long.
+  std::copy_n(other.data(), static_cast<std::ptrdiff_t>(stride()) * height(),
+              cairo_image_surface_get_data(surface_));
+  cairo_surface_mark_dirty(surface_);
+}
+
 void Raster::negative(const Color& black) {
   if (empty()) return;
   const std::uint16_t parts[3] = {byte_of(black.b), byte_of(black.g), byte_of(black.r)};

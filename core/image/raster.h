@@ -40,6 +40,13 @@ class Raster {
   /// size stays the same. Throws Error as Canvas::image does; there are then no pixels.
   void paint(const Canvas& canvas, double scale = 1);
 
+  /// The pixels of `canvas`, which usually has no background, laid over those that are there: what is under
+  /// the pointer over a picture that took longer to paint. The sizes must agree; does nothing without pixels.
+  void paint_over(const Canvas& canvas);
+
+  /// Makes the pixels those of `other`, in the memory that is there if the sizes agree.
+  void copy(const Raster& other);
+
   /// Turns the picture into its negative in lightness, but not in hue, for a window that is dark: what was
   /// white becomes `black` to the byte, what was black becomes white, what was light blue a dark blue. Alpha
   /// stays, that of `black` does not count.

@@ -42,6 +42,8 @@ struct IsolineStyle {
   double text_size = 8.5;              ///< points
   std::vector<Point<2>> symbols = {};  ///< page points that a label keeps well away from
   std::vector<Polyline> curves = {};   ///< scene curves that a label does not touch
+  int cells = 96;                      ///< as in ContourOptions
+  bool find_hidden = true;             ///< likewise
 };
 
 /// Draws and labels them.

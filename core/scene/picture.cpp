@@ -92,11 +92,14 @@ DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>
                            const Field<2>& field, const PictureOptions& options) {
   const Display<2>& display = document.display;
   const PlanView view = plan_view(view_box(document, field), region);
-  Contour curve = contour(document, field, view.scene);
+  const PictureDetail& detail = options.detail;
+  Contour curve = detail.every_component
+                      ? contour(document, field, view.scene, {.cells = detail.curve_cells})
+                      : contour(field, view.scene, {.cells = detail.curve_cells, .find_hidden = false});
   auto clip = canvas.clip(region);
   if (display.field || display.isolines) {
     const SampledField sampled =
-        sample(field, view, std::max(2, static_cast<int>(std::lround(region.width))));
+        sample(field, view, std::max(2, static_cast<int>(std::lround(region.width * detail.field_samples))));
     const double range = options.color_range > 0 ? options.color_range : sampled.largest();
     if (display.field) draw_field_colors(canvas, view, sampled, range);
     if (!display.field && options.tint_inside) tint_inside(canvas, view, curve.polylines);
@@ -109,7 +112,9 @@ DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>
                      .on_colors = display.field,
                      .text_size = options.text_size,
                      .symbols = symbol_places(view, document),
-                     .curves = std::move(drawn)});
+                     .curves = std::move(drawn),
+                     .cells = detail.isoline_cells,
+                     .find_hidden = detail.every_component});
     }
   } else {
     if (options.tint_inside) tint_inside(canvas, view, curve.polylines);
@@ -124,6 +129,19 @@ DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>
   if (display.scale_bar) draw_scale_bar(canvas, view, options.text_size);
   clip.close();
   return {view, std::move(curve)};
+}
+
+PlanView draw_plain_document(Canvas& canvas, const Rect& region, const Document<2>& document,
+                             const PictureOptions& options) {
+  Box<2> box = Box<2>(Point<2>(-1, -1), Point<2>(1, 1));
+  if (document.display.view) box = *document.display.view;
+  const PlanView view = plan_view(box, region);
+  auto clip = canvas.clip(region);
+  if (document.display.grid) draw_grid(canvas, view);
+  draw_constraints(canvas, view, document, options);
+  if (document.display.scale_bar) draw_scale_bar(canvas, view, options.text_size);
+  clip.close();
+  return view;
 }
 
 }  // namespace seesaw

@@ -32,6 +32,15 @@ Fit<Dim> fit(const Document<Dim>& document) {
 Contour contour(const Document<2>& document, const Field<2>& field, const Box<2>& box,
                 const ContourOptions& options = {});
 
+/// How finely a picture is computed. The defaults are a printed page's; an editor that draws thirty pictures a
+/// second makes do with less while something moves.
+struct PictureDetail {
+  int curve_cells = 128;        ///< ContourOptions::cells of the curve
+  int isoline_cells = 96;       ///< of isolines
+  double field_samples = 1.0;   ///< of the field's colors, along a point of the page
+  bool every_component = true;  ///< looks for the curve at every boundary constraint, and for hidden pieces
+};
+
 struct PictureOptions {
   /// Curves drawn dashed beneath: a shape before it was changed.
   std::vector<Polyline> ghosts = {};
@@ -43,6 +52,7 @@ struct PictureOptions {
   double text_size = 8.5;      ///< of isoline labels and scale bar, points
   /// Colors reach their full depth at this |f|; 0 for the largest |f| in view.
   double color_range = 0.0;
+  PictureDetail detail = {};
 };
 
 /// What was drawn, for whoever adds to it or measures it.
@@ -54,5 +64,9 @@ struct DrawnPicture {
 /// Draws the document in `region`, as document.display says. `field` is its function.
 DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>& document,
                            const Field<2>& field, const PictureOptions& options = {});
+
+/// The same where there is no function yet: grid, constraints, scale bar.
+PlanView draw_plain_document(Canvas& canvas, const Rect& region, const Document<2>& document,
+                             const PictureOptions& options = {});
 
 }  // namespace seesaw

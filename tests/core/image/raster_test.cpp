@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <vector>
 
 #include "core/base/random.h"
 
@@ -188,6 +189,32 @@ TEST(RasterNegative, TransparencyStaysAndColorsStayBelowIt) {
     EXPECT_LE(std::max({q.r, q.g, q.b}), q.a);
   }
   EXPECT_EQ(parts_at(after, 0, 0), (Parts{0, 0, 0, 0}));
+}
+
+TEST(Raster, PaintsOverACopyAndLeavesTheOriginal) {
+  Canvas base(40, 30, hex("#336699"));
+  base.fill_circle({20, 15}, 9, hex("#FFCC00"));
+  Canvas over(40, 30, Color{0, 0, 0, 0});
+  over.line({0, 5}, {40, 20}, {.color = theme::moved.with_alpha(0.6), .width = 3});
+  Canvas both(40, 30, hex("#336699"));
+  both.fill_circle({20, 15}, 9, hex("#FFCC00"));
+  both.line({0, 5}, {40, 20}, {.color = theme::moved.with_alpha(0.6), .width = 3});
+  Raster original, copy, expected;
+  original.paint(base, 2);
+  expected.paint(both, 2);
+  const auto bytes = [](const Raster& raster) {
+    return std::vector<std::uint8_t>(raster.data(), raster.data() + raster.stride() * raster.height());
+  };
+  const auto before = bytes(original);
+  copy.copy(original);
+  EXPECT_EQ(bytes(copy), before);
+  copy.paint_over(over);
+  EXPECT_EQ(bytes(copy), bytes(expected));
+  EXPECT_EQ(bytes(original), before);
+  copy.copy(Raster());
+  EXPECT_TRUE(copy.empty());
+  copy.paint_over(over);
+  EXPECT_TRUE(copy.empty());
 }
 
 }  // namespace

@@ -1,0 +1,253 @@
+#include "sandbox2d/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/text.h"
+#include "core/editing/curve_foot.h"
+#include "core/image/colormap.h"
+#include "core/image/symbols.h"
+
+namespace seesaw {
+
+namespace {
+
+const Color selected = theme::series[0];
+
+class Overlay {
+ public:
+  Overlay(Canvas& canvas, Desk& desk, const OverlayOptions& options)
+      : canvas_(canvas), desk_(desk), options_(options), s_(options.scale), view_(desk.view().plan()) {}
+
+  void draw() {
+    draw_snap_grid();
+    if (options_.weights) draw_weights();
+    draw_profile_line();
+    draw_selection();
+    draw_pointed();
+    draw_culprits();
+    if (options_.pointer_here || desk_.gesture() != Gesture::none) draw_hover();
+    draw_preview();
+    draw_band();
+    draw_reading();
+    draw_legend();
+  }
+
+ private:
+  Point<2> page(const Point<2>& p) const { return view_.page_from_scene(p); }
+  Point<2> place(Index i) const { return page(desk_.constraint(i).at); }
+  bool in_sight(const Point<2>& p) const {
+    return canvas_.bounds().inset(-40 * s_).contains(p);
+  }
+
+  void ring(const Point<2>& at, double radius, const Color& color, double width) {
+    canvas_.circle(at, radius * s_, {.color = theme::paper.with_alpha(0.85), .width = (width + 1.6) * s_});
+    canvas_.circle(at, radius * s_, {.color = color, .width = width * s_});
+  }
+
+  void tag(const Point<2>& at, const std::string& words, const Color& color = theme::ink) {
+    const double size = 9.5 * s_;
+    const TextStyle style{.size = size, .color = color};
+    const TextSize room = measure_text(words, style);
+    const double width = room.width + size, height = 1.9 * size;
+    Rect box{at.x() + 12 * s_, at.y() - height - 9 * s_, width, height};
+    box.x = std::min(box.x, canvas_.width() - width - 4);
+    if (box.y < 4) box.y = at.y() + 14 * s_;
+    canvas_.fill_rectangle(box, theme::paper.with_alpha(0.9), 3 * s_);
+    canvas_.text({box.x + size / 2, box.y + height / 2 + room.ascent / 2}, words, style);
+  }
+
+  // Where points snap to, as dots, unless grid lines or too many of them say it already.
+  void draw_snap_grid() {
+    if (!desk_.grid().on) return;
+    const double step = desk_.grid_step();
+    const Box<2> seen = view_.scene;
+    if (seen.sizes().x() / step * (seen.sizes().y() / step) > 12'000) return;
+    for (double x = std::ceil(seen.min().x() / step); x * step <= seen.max().x(); ++x)
+      for (double y = std::ceil(seen.min().y() / step); y * step <= seen.max().y(); ++y)
+        canvas_.fill_circle(page({x * step, y * step}), 0.9 * s_, theme::soft_ink.with_alpha(0.45));
+  }
+
+  // The area of a disc is the size of the weight: orange pulls f up, blue pulls it down.
+  void draw_weights() {
+    const std::vector<double> weights = constraint_weights(desk_);
+    double largest = 0;
+    for (const double w : weights) largest = std::max(largest, std::abs(w));
+    if (!(largest > 0)) return;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const Point<2> at = place(static_cast<Index>(i));
+      if (!in_sight(at)) continue;
+      const double radius = 26 * s_ * std::sqrt(std::abs(weights[i]) / largest);
+      const Color color = diverging_color(weights[i] > 0 ? 0.8 : -0.8);
+      canvas_.fill_circle(at, radius, color.with_alpha(0.35));
+      canvas_.circle(at, radius, {.color = color, .width = 1.4 * s_});
+    }
+    if (weights.size() > 60) return;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const Point<2> at = place(static_cast<Index>(i));
+      if (!in_sight(at)) continue;
+      std::string words = to_text(std::abs(weights[i]), 3);
+      if (weights[i] < 0) words = "\u2212" + words;
+      canvas_.text(at + Point<2>(0, 19 * s_), words,
+                   {.size = 9 * s_, .align = Align::center, .vertical = VerticalAlign::middle, .halo = 2.5 * s_});
+    }
+  }
+
+  void draw_profile_line() {
+    if (!desk_.profile()) return;
+    const Point<2> from = page(desk_.profile()->from), to = page(desk_.profile()->to);
+    canvas_.line(from, to, {.color = theme::paper.with_alpha(0.8), .width = 3.4 * s_});
+    canvas_.line(from, to, {.color = theme::moved, .width = 1.6 * s_});
+    for (const Point<2>& end : {from, to}) {
+      canvas_.fill_circle(end, 4.6 * s_, theme::paper);
+      canvas_.fill_circle(end, 3.4 * s_, theme::moved);
+    }
+    canvas_.text(from + Point<2>(0, -9 * s_), "0", {.size = 8.5 * s_, .color = theme::moved, .align = Align::center, .halo = 2.5});
+  }
+
+  void draw_selection() {
+    for (const Index i : desk_.selection().indices()) {
+      const Point<2> at = place(i);
+      if (in_sight(at)) ring(at, 8.5, selected, 2);
+    }
+  }
+
+  void draw_pointed() {
+    for (const Index i : options_.pointed)
+      if (i >= 0 && i < desk_.editor().size()) ring(place(i), 13, theme::series[1], 2.4);
+  }
+
+  void draw_culprits() {
+    const auto impossible = desk_.shape().impossible;
+    if (!impossible) return;
+    for (const Index i : impossible->culprits) {
+      if (i < 0 || i >= desk_.editor().size()) continue;
+      const Point<2> at = place(i);
+      ring(at, 11, theme::moved, 2.4);
+      const double reach = 15.5 * s_;
+      for (const double sign : {1.0, -1.0}) {
+        const Point<2> along = Point<2>(1, sign).normalized();
+        for (const double way : {1.0, -1.0})
+          canvas_.line(at + way * 11 * s_ * along, at + way * reach * along,
+                       {.color = theme::moved, .width = 2.4 * s_});
+      }
+    }
+    if (!impossible->culprits.empty()) {
+      const Index first = impossible->culprits.front();
+      if (first >= 0 && first < desk_.editor().size() && in_sight(place(first)))
+        tag(place(first), "no function obeys these", theme::moved);
+    }
+  }
+
+  void draw_hover() {
+    const Hit hit = desk_.hover();
+    switch (hit.over) {
+      case Over::constraint:
+        if (!desk_.selection().contains(hit.which)) ring(page(hit.at), 8.5, theme::soft_ink, 1.4);
+        break;
+      case Over::spike:
+        ring(page(hit.at), 5.5, selected, 1.8);
+        break;
+      case Over::profile_start:
+      case Over::profile_end:
+        ring(page(hit.at), 6.5, theme::moved, 1.6);
+        break;
+      case Over::curve:
+        // Where a boundary constraint would change nothing.
+        if (desk_.gesture() == Gesture::none && takes_curve())
+          draw_symbol(canvas_, Symbol::circle, page(hit.at), 9 * s_, selected);
+        break;
+      default:
+        break;
+    }
+  }
+
+  bool takes_curve() const {
+    return desk_.tool() == Tool::select || desk_.tool() == Tool::boundary || desk_.tool() == Tool::normal;
+  }
+
+  void draw_preview() {
+    const Points<2> points = desk_.preview();
+    const Symbol symbol = desk_.kind() == ConstraintKind::boundary   ? Symbol::circle
+                          : desk_.kind() == ConstraintKind::interior ? Symbol::plus
+                                                                     : Symbol::minus;
+    for (Index i = 0; i < points.cols(); ++i)
+      draw_symbol(canvas_, symbol, page(points.col(i)), 9 * s_, selected);
+    if (points.cols() > 0 && desk_.cursor())
+      tag(page(*desk_.cursor()), std::to_string(points.cols()) + " constraints; the wheel changes how many");
+  }
+
+  void draw_band() {
+    const auto band = desk_.band();
+    if (!band) return;
+    const Point<2> a = page(band->min()), b = page(band->max());
+    const Rect rect{a.x(), b.y(), b.x() - a.x(), a.y() - b.y()};
+    canvas_.fill_rectangle(rect, selected.with_alpha(0.1));
+    canvas_.rectangle(rect, {.color = selected, .width = 1.2 * s_, .dash = {4 * s_, 3 * s_}});
+  }
+
+  // Where the constraint in hand is, and which value it has.
+  void draw_reading() {
+    const Gesture gesture = desk_.gesture();
+    if (gesture != Gesture::grab && gesture != Gesture::place && gesture != Gesture::toggle &&
+        gesture != Gesture::beneath && gesture != Gesture::turn && gesture != Gesture::give_normal &&
+        gesture != Gesture::place_normal)
+      return;
+    const Hit hit = desk_.hover();
+    if (hit.which < 0 || hit.which >= desk_.editor().size()) return;
+    const Constraint<2>& c = desk_.constraint(hit.which);
+    std::string words = "(" + to_text(c.at.x(), 3) + ", " + to_text(c.at.y(), 3) + ")";
+    if (hit.over == Over::spike && c.normal)
+      words = "normal (" + to_text(c.normal->direction.x(), 3) + ", " + to_text(c.normal->direction.y(), 3) +
+              "), value " + to_text(c.normal->value, 3);
+    else if (c.kind != ConstraintKind::boundary)
+      words += ", f = " + to_text(c.value, 3);
+    tag(page(hit.at), words);
+  }
+
+  void draw_legend() {
+    const std::string name = desk_.other_name();
+    if (name.empty()) return;
+    const double size = 10 * s_;
+    const std::string words = name == "before" ? "dashed: before" : "dashed: kernel " + name;
+    const TextSize room = measure_text(words, {.size = size});
+    const Rect box{canvas_.width() - room.width - 52 * s_, 12 * s_, room.width + 40 * s_, 2.1 * size};
+    canvas_.fill_rectangle(box, theme::paper.with_alpha(0.88), 3 * s_);
+    const double y = box.y + box.height / 2;
+    canvas_.line({box.x + 8 * s_, y}, {box.x + 28 * s_, y},
+                 {.color = theme::soft_ink, .width = 1.4 * s_, .dash = {5 * s_, 4 * s_}, .cap = Cap::butt});
+    canvas_.text({box.x + 34 * s_, y + room.ascent / 2}, words, {.size = size});
+  }
+
+  Canvas& canvas_;
+  Desk& desk_;
+  const OverlayOptions& options_;
+  double s_;
+  PlanView view_;
+};
+
+}  // namespace
+
+void draw_overlay(Canvas& canvas, Desk& desk, const OverlayOptions& options) {
+  Overlay(canvas, desk, options).draw();
+}
+
+std::vector<double> constraint_weights(Desk& desk) {
+  const Shape<2>& shape = desk.shape();
+  if (!shape.current()) return {};
+  // Rows that coincide were merged: the first of them has the weight.
+  const Points<2>& centers = shape.function->centers();
+  const Values weights = shape.function->weights();
+  std::map<std::pair<double, double>, double> at;
+  for (Index i = 0; i < centers.cols(); ++i) at.emplace(std::pair(centers(0, i), centers(1, i)), weights[i]);
+  std::vector<double> result;
+  for (Index i = 0; i < desk.editor().size(); ++i) {
+    const auto found = at.find({desk.constraint(i).at.x(), desk.constraint(i).at.y()});
+    result.push_back(found == at.end() ? 0.0 : found->second);
+    if (found != at.end()) found->second = 0;
+  }
+  return result;
+}
+
+}  // namespace seesaw

@@ -1,0 +1,222 @@
+#include "sandbox2d/side_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/window/ui.h"
+#include "sandbox2d/overlay.h"
+
+namespace seesaw {
+
+namespace {
+
+constexpr double degree = M_PI / 180;
+
+const std::vector<std::string>& kind_names() {
+  static const std::vector<std::string> names = {"boundary", "interior", "exterior"};
+  return names;
+}
+
+// A widget's answer, told to the desk: while it is dragged one step to undo.
+void tell(Desk& desk, const ui::Edit& edit, const Action<2>& action) {
+  if (edit.changed) desk.slide(action);
+  if (edit.ended) desk.let_go();
+}
+
+// How fast a number is dragged: a pixel of the picture for a pixel of the hand.
+double pixel_of(const Desk& desk) { return desk.view().pixel(); }
+
+}  // namespace
+
+void SidePanel::draw(const Rect& place, Desk& desk, Shown& shown, const LiveNumbers& numbers,
+                     const std::function<void(DeskCommand)>& act) {
+  const auto panel = ui::panel("Side", place, {.title = false});
+  if (!panel) return;
+  const auto width = ui::item_width(0.56 * ui::width_left());
+  if (const auto open = ui::section("Lever and selection")) selection(desk, act);
+  if (const auto open = ui::section("Function")) function(desk, act);
+  if (const auto open = ui::section("Numbers")) draw_numbers(desk, numbers);
+  if (const auto open = ui::section("Show")) draw_switches(desk, shown, act);
+}
+
+void SidePanel::function(Desk& desk, const std::function<void(DeskCommand)>& act) {
+  const Document<2>& document = desk.document();
+  std::vector<std::string> names;
+  int chosen = 0;
+  for (const Kernel each : all_kernels) {
+    if (each == document.kernel) chosen = static_cast<int>(names.size());
+    names.push_back(each == Kernel::thin_plate_spline ? "thin plate, r\u00b2 log r"
+                    : each == Kernel::cubic           ? "cubic, r\u00b3"
+                                                      : "linear, r");
+  }
+  if (ui::choice("kernel", chosen, names))
+    desk.apply(SetKernel{all_kernels[static_cast<std::size_t>(chosen)]});
+  double smoothing = document.smoothing;
+  tell(desk, ui::slider("smoothing", smoothing, 0, 10, {.format = "%.3g", .logarithmic = true}),
+       SetSmoothing{std::max(0.0, smoothing)});
+  if (ui::last_hovered())
+    ui::tooltip("0 passes through every constraint exactly; more lets the curve miss them to be smoother");
+  if (ui::button("Remember##before")) act(DeskCommand::remember);
+  ui::same_line();
+  bool before = desk.other_name() == "before";
+  if (ui::tool_button("Compare", before)) act(DeskCommand::compare);
+  ui::same_line();
+  if (ui::tool_button("Kernels", !desk.other_name().empty() && !before)) act(DeskCommand::compare_kernels);
+}
+
+// The see-saw's lever: values of what is selected, or of all interior constraints.
+void SidePanel::lever(Desk& desk) {
+  std::vector<Index> which;
+  ConstraintKind kind = ConstraintKind::interior;
+  for (const Index i : desk.selection().indices())
+    if (desk.constraint(i).kind != ConstraintKind::boundary) which.push_back(i);
+  const bool of_selection = !which.empty();
+  if (which.empty()) which = all_of(desk.document(), ConstraintKind::interior);
+  if (which.empty()) return;
+  kind = desk.constraint(which.front()).kind;
+  std::erase_if(which, [&](Index i) { return desk.constraint(i).kind != kind; });
+  const double sign = kind == ConstraintKind::interior ? 1 : -1;
+  double size = sign * desk.constraint(which.front()).value;
+  const bool at_rest = desk.gesture() == Gesture::none;
+  if (at_rest && (size > lever_reach_ || size < lever_reach_ / 12))
+    lever_reach_ = std::max(3.0, std::pow(10.0, std::ceil(std::log10(1.2 * size))));
+  const std::string label = kind == ConstraintKind::interior ? "interior value" : "exterior value";
+  double value = sign * size;
+  const double near = sign * 0.01, far = sign * lever_reach_;
+  const ui::Edit edit = ui::slider(label, value, std::min(near, far), std::max(near, far), {.format = "%.3f"});
+  if (edit.changed && sign * value > 0) desk.slide(SetValue{which, value});
+  if (edit.ended) desk.let_go();
+  if (ui::last_hovered())
+    ui::tooltip(of_selection ? "f at what is selected: pull it, and the plate tips about the boundary constraints"
+                             : "f at every interior constraint: pull it, and the plate tips about the boundary constraints");
+}
+
+void SidePanel::selection(Desk& desk, const std::function<void(DeskCommand)>& act) {
+  lever(desk);
+  const Selection& chosen = desk.selection();
+  if (chosen.empty())
+    ui::soft_text(desk.editor().size() == 0 ? "Place constraints: B, I, E and a click."
+                                            : "Nothing is selected.");
+  else if (chosen.size() == 1)
+    one_constraint(desk, chosen.indices().front(), act);
+  else
+    several(desk, act);
+}
+
+void SidePanel::one_constraint(Desk& desk, Index which, const std::function<void(DeskCommand)>& act) {
+  const auto scope = ui::id(static_cast<long>(which));
+  const Constraint<2> c = desk.constraint(which);
+  int kind = static_cast<int>(c.kind);
+  ui::bold_text("constraint " + std::to_string(which));
+  if (ui::choice("kind", kind, kind_names()))
+    desk.apply(SetKind{{which}, static_cast<ConstraintKind>(kind)});
+  for (int axis = 0; axis < 2; ++axis) {
+    Point<2> to = c.at;
+    const ui::Edit edit = ui::drag_number(axis == 0 ? "x" : "y", to[axis], pixel_of(desk), "%.5g");
+    tell(desk, edit, MoveTo<2>{which, to});
+  }
+  const std::vector<double> weights = constraint_weights(desk);
+  if (static_cast<std::size_t>(which) < weights.size())
+    ui::fact("weight", to_text(weights[static_cast<std::size_t>(which)], 4));
+  if (c.kind == ConstraintKind::boundary) normal(desk, which);
+  if (ui::button("Delete")) act(DeskCommand::delete_selection);
+  if (c.kind == ConstraintKind::boundary) {
+    ui::same_line();
+    if (!c.normal && ui::button("Add normal")) act(DeskCommand::add_normals);
+    if (c.normal && ui::button("Remove normal")) act(DeskCommand::remove_normals);
+  }
+}
+
+void SidePanel::normal(Desk& desk, Index which) {
+  const Constraint<2> c = desk.constraint(which);
+  if (!c.normal) return;
+  const NormalConstraint<2> n = *c.normal;
+  double degrees = std::atan2(n.direction.y(), n.direction.x()) / degree;
+  const ui::Edit turned = ui::drag_number("normal, degrees", degrees, 0.5, "%.1f");
+  NormalConstraint<2> next = n;
+  next.direction = Point<2>(std::cos(degrees * degree), std::sin(degrees * degree));
+  tell(desk, turned, SetNormal<2>{which, next});
+  double offset = n.offset;
+  const ui::Edit moved = ui::drag_number("offset", offset, std::max(1e-12, 0.01 * n.offset), "%.4g");
+  next = n;
+  next.offset = offset;
+  if (offset > 0) tell(desk, moved, SetNormal<2>{which, next});
+  double value = n.value;
+  const ui::Edit raised =
+      ui::drag_number("value there", value, std::max(1e-12, 0.01 * std::abs(n.value)), "%.4g");
+  next = n;
+  next.value = value;
+  tell(desk, raised, SetNormal<2>{which, next});
+}
+
+void SidePanel::several(Desk& desk, const std::function<void(DeskCommand)>& act) {
+  Index by_kind[3] = {};
+  for (const Index i : desk.selection().indices()) ++by_kind[static_cast<int>(desk.constraint(i).kind)];
+  std::string words = std::to_string(desk.selection().size()) + " selected:";
+  for (int k = 0; k < 3; ++k)
+    if (by_kind[k] > 0) words += " " + std::to_string(by_kind[k]) + " " + kind_names()[static_cast<std::size_t>(k)];
+  ui::paragraph(words);
+  if (ui::button("Delete")) act(DeskCommand::delete_selection);
+  ui::same_line();
+  if (ui::button("Duplicate")) act(DeskCommand::duplicate);
+  if (by_kind[0] > 0) {
+    ui::same_line();
+    if (ui::button("Add normals")) act(DeskCommand::add_normals);
+  }
+}
+
+void draw_numbers(Desk& desk, const LiveNumbers& numbers) {
+  const auto count = [&](ConstraintKind kind) { return static_cast<Index>(all_of(desk.document(), kind).size()); };
+  Index normals = 0;
+  for (const auto& each : desk.document().constraints) normals += each.constraint.normal.has_value();
+  ui::fact("boundary, normals", std::to_string(count(ConstraintKind::boundary)) + ", " + std::to_string(normals));
+  ui::fact("interior, exterior", std::to_string(count(ConstraintKind::interior)) + ", " +
+                                     std::to_string(count(ConstraintKind::exterior)));
+  const Shape<2>& shape = desk.shape();
+  const Contour& curve = numbers.curve;
+  if (shape.function) {
+    std::string pieces = std::to_string(curve.components);
+    if (curve.closed < curve.components) pieces += " (" + std::to_string(curve.components - curve.closed) + " cut)";
+    ui::fact("components in view", pieces);
+    ui::fact("area inside, in view", to_text(curve.area, 5));
+    ui::fact("length of the curve", to_text(curve.length, 5));
+    ui::fact("bending energy", to_text(shape.report.energy, 5));
+    ui::fact("condition", shape.report.reciprocal_condition > 0 ? to_text(1 / shape.report.reciprocal_condition, 2)
+                                                                : "infinite");
+    ui::fact("largest residual", to_text(shape.report.max_residual, 2));
+    if (numbers.refit_difference) ui::fact("off a fresh fit", to_text(*numbers.refit_difference, 2));
+  }
+  ui::fact("solve", numbers.solving ? "at work" : to_text(1e3 * numbers.solve_seconds, 2) + " ms");
+  ui::fact("draw", to_text(1e3 * numbers.draw_seconds, 2) + " ms");
+}
+
+void draw_switches(Desk& desk, Shown& shown, const std::function<void(DeskCommand)>& act) {
+  using C = DeskCommand;
+  const Display<2>& display = desk.display();
+  const struct {
+    const char* label;
+    bool on;
+    C command;
+  } rows[] = {{"field", display.field, C::toggle_field},
+              {"isolines", display.isolines, C::toggle_isolines},
+              {"gradient", display.gradient, C::toggle_gradient},
+              {"constraints", display.constraints, C::toggle_constraints},
+              {"normals", display.normals, C::toggle_normals},
+              {"weights", shown.weights, C::toggle_weights},
+              {"see-saw plate", shown.plate, C::toggle_plate},
+              {"profile line", desk.profile().has_value(), C::toggle_profile},
+              {"grid lines", display.grid, C::toggle_grid},
+              {"snap to grid", desk.grid().on, C::toggle_snap},
+              {"scale bar", display.scale_bar, C::toggle_scale_bar}};
+  const auto table = ui::table("switches", {"", ""});
+  if (!table) return;
+  for (const auto& row : rows) {
+    ui::next_cell();
+    bool on = row.on;
+    if (ui::checkbox(row.label, on)) act(row.command);
+    if (ui::last_hovered() && !keys_of(row.command).empty()) ui::tooltip("key " + keys_of(row.command));
+  }
+}
+
+}  // namespace seesaw
