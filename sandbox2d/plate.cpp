@@ -1,6 +1,7 @@
 #include "sandbox2d/plate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,8 +14,9 @@ namespace {
 constexpr double plate_radians = std::numbers::pi / 180;
 constexpr double first_azimuth = -62 * plate_radians, first_elevation = 32 * plate_radians;
 constexpr double rescale_beyond = 3;
+constexpr double through_all = 5;  // a lift that nothing hides
+constexpr std::size_t boundary_head = 0, value_head = 1, normal_head = 2;
 
-// The level rectangle z = 0 over the box, a little wider than the plate so that it is seen all around.
 Points<3> sheet_corners(const PlateSpace& space, const Box<2>& box) {
   Points<3> corners(3, 4);
   Index k = 0;
@@ -23,8 +25,11 @@ Points<3> sheet_corners(const PlateSpace& space, const Box<2>& box) {
   return corners;
 }
 
-// The same pixel, nearer to the eye: by the fraction `by` of its distance.
-Point<3> toward(const Point<3>& eye, const Point<3>& p, double by) { return p + by * (eye - p); }
+Points<3> plate_columns(const std::vector<Point<3>>& points) {
+  Points<3> result(3, static_cast<Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) result.col(static_cast<Index>(k)) = points[k];
+  return result;
+}
 
 }  // namespace
 
@@ -51,7 +56,8 @@ void Plate::show(const Field<2>& field, const Document<2>& document, const Box<2
 void Plate::clear() {
   if (!version_) return;
   version_.reset();
-  for (Drawable* each : {&surface_, &grid_, &zero_, &profile_, &curtain_above_, &curtain_below_})
+  for (Drawable* each : {&surface_, &grid_, &zero_, &profile_, &curtain_above_, &curtain_below_, &stems_,
+                         &dashes_, &heads_[0], &heads_[1], &heads_[2], &cores_})
     *each = Drawable();
   poles_.clear();
   ++content_;
@@ -62,16 +68,22 @@ void Plate::build_plate(const Field<2>& field, const Document<2>& document, int 
   const bool choose =
       height_ == 0 || present > rescale_beyond * height_ || present < height_ / rescale_beyond;
   if (choose) height_ = present;
-  mesh_ = make_plate(field, seen_, {.cells = cells, .lines_every = std::max(1, cells / 12), .height = height_});
-  if (choose) {
-    framed_low_ = std::min(mesh_.lowest, 0.0);
-    framed_high_ = std::max(mesh_.highest, 0.0);
-  }
+  mesh_ =
+      make_plate(field, seen_, {.cells = cells, .lines_every = std::max(1, cells / 12), .height = height_});
   poles_ = plate_poles(document, mesh_.space, seen_);
+  if (choose) {
+    const Points<3> sheet = sheet_corners(mesh_.space, seen_);
+    const Index every = std::max<Index>(1, mesh_.mesh.vertices.cols() / 500);
+    framed_.assign(sheet.colwise().begin(), sheet.colwise().end());
+    for (Index k = 0; k < mesh_.mesh.vertices.cols(); k += every)
+      framed_.push_back(mesh_.mesh.vertices.col(k));
+    for (const PlatePole& pole : poles_) framed_.push_back(pole.head);
+  }
   surface_.set_triangles(mesh_.mesh, mesh_.colors);
   grid_.set_segments(mesh_.grid, mesh_.grid_colors);
   zero_.set_segments(mesh_.zero);
   build_plane();
+  build_poles();
 }
 
 void Plate::build_plane() {
@@ -96,30 +108,23 @@ void Plate::reset_view() {
   at_first_view_ = true;
 }
 
-// The nearest stand from which the box of the plate, as high as when its scale was chosen, is seen whole.
+// The nearest stand from which the plate is seen whole, as it was when its scale was chosen.
 void Plate::frame(int width, int height) {
-  const Point<2> half = 0.5 * mesh_.space.scale * seen_.sizes();
-  camera_.target = Point<3>(0, 0, (framed_low_ + framed_high_) / 2);
-  const double up = std::tan(camera_.field / 2) * 0.95, aside = up * width / height;
-  for (int round = 0; round < 4; ++round) {
-    double distance = 0, lowest = infinity, highest = -infinity;
-    std::vector<Point<3>> corners;
-    for (const double x : {-half.x(), half.x()})
-      for (const double y : {-half.y(), half.y()})
-        for (const double z : {framed_low_, 0.0, framed_high_}) corners.emplace_back(x, y, z);
-    for (const Point<3>& corner : corners) {
-      const Point<3> p = corner - camera_.target;
-      const double depth = p.dot(camera_.forward());
-      distance = std::max({distance, std::abs(p.dot(camera_.right())) / aside - depth,
-                           std::abs(p.dot(camera_.up())) / up - depth});
+  if (framed_.empty()) return;
+  camera_.target = Point<3>::Zero();
+  const double up = std::tan(camera_.field / 2) * 0.94, aside = up * width / height;
+  for (int round = 0; round < 5; ++round) {
+    double distance = 0.1;
+    for (const Point<3>& each : framed_) {
+      const Point<3> p = each - camera_.target;
+      distance = std::max(
+          distance, std::max(std::abs(p.dot(camera_.right())) / aside, std::abs(p.dot(camera_.up())) / up) -
+                        p.dot(camera_.forward()));
     }
-    camera_.distance = std::max(distance, 0.1);
-    for (const Point<3>& corner : corners) {
-      const double y = camera_.pixel_of(corner, width, height).y();
-      lowest = std::min(lowest, y);
-      highest = std::max(highest, y);
-    }
-    camera_.pan(0, height / 2.0 - (lowest + highest) / 2, height);
+    camera_.distance = distance;
+    Box<2> place;
+    for (const Point<3>& each : framed_) place.extend(camera_.pixel_of(each, width, height).head<2>());
+    camera_.pan(width / 2.0 - place.center().x(), height / 2.0 - place.center().y(), height);
   }
 }
 
@@ -127,8 +132,10 @@ const Texture& Plate::draw(int width, int height, const UiColors& colors, double
   width = std::max(width, 1);
   height = std::max(height, 1);
   if (at_first_view_ && !seen_.isEmpty()) frame(width, height);
-  const Drawn now{content_,          width,           height,          pixel_ratio,       camera_.azimuth,
-                  camera_.elevation, camera_.distance, camera_.target, colors.background, colors.ink};
+  const Drawn now{content_,         width,           height,
+                  pixel_ratio,      camera_.azimuth, camera_.elevation,
+                  camera_.distance, camera_.target,  colors.background,
+                  colors.ink};
   const bool changed = picture_ == nullptr || !(now == drawn_);
   drawn_ = now;
   if (changed || !picture_is_smooth_) {
@@ -143,77 +150,61 @@ const Texture& Plate::draw(int width, int height, const UiColors& colors, double
 
 Image Plate::image() const { return picture_is_smooth_ ? smooth_.image() : rough_.image(); }
 
-void Plate::draw_into(View3D& view, int width, int height, const UiColors& colors, double pixel_ratio) {
-  view.begin(width, height, camera_, colors.background);
-  view.draw(surface_);
-  view.draw(grid_, {.size = 0.8 * pixel_ratio});
-  view.draw(rim_, {.color = colors.soft_ink, .size = pixel_ratio});
-  view.draw(zero_, {.color = theme::curve, .size = 2.6 * pixel_ratio});
-  view.draw(profile_, {.color = theme::moved, .size = 2.2 * pixel_ratio});
-  draw_poles(view, colors, width, height, pixel_ratio);
-  // Translucent things from far to near: what is on the other side of the zero plane comes before it.
-  const bool from_above = camera_.eye().z() >= 0;
-  const DrawLook curtain{.color = theme::moved, .opacity = 0.16, .lit = false};
-  view.draw(from_above ? curtain_below_ : curtain_above_, curtain);
-  view.draw(plane_, {.color = hex("#F4F6F9"), .opacity = 0.5, .lit = false});
-  view.draw(from_above ? curtain_above_ : curtain_below_, curtain);
-}
-
-void Plate::draw_poles(View3D& view, const UiColors& colors, int width, int height, double pixel_ratio) {
-  const Point<3> eye = camera_.eye();
-  // Through the plate they are seen faintly and dashed: drawn before everything, since nothing is so near.
-  constexpr double in_front = 0.8, at_hand = 0.02;
-  std::vector<Point<3>> dashes, stems;
-  std::vector<Color> dash_colors, stem_colors;
+void Plate::build_poles() {
+  std::vector<Point<3>> stems, dashes;
+  std::vector<Color> stem_colors, dash_colors;
+  std::array<std::vector<Point<3>>, 3> at;
+  std::array<std::vector<Color>, 3> colors;
   for (const PlatePole& pole : poles_) {
-    if (pole.open) continue;
     const Color color = pole.highlight ? theme::moved : theme::constraint;
+    const std::size_t kind = pole.open ? boundary_head : pole.small ? normal_head : value_head;
+    at[kind].push_back(pole.head);
+    colors[kind].push_back(color);
+    if (pole.open) continue;
     stems.insert(stems.end(), {pole.foot, pole.head});
     stem_colors.insert(stem_colors.end(), 2, color);
-    const double pixels =
-        (camera_.pixel_of(pole.foot, width, height) - camera_.pixel_of(pole.head, width, height))
-            .head<2>()
-            .norm();
-    const int pieces = static_cast<int>(std::clamp(pixels / (2.5 * pixel_ratio), 1.0, 400.0)) | 1;
+    const Point<3> run = pole.head - pole.foot;
+    const int pieces = static_cast<int>(std::min(run.norm() / 0.016, 400.0)) | 1;
     for (int k = 0; k < pieces; k += 2) {
-      for (const int end : {k, k + 1})
-        dashes.push_back(
-            toward(eye, pole.foot + static_cast<double>(end) / pieces * (pole.head - pole.foot), in_front));
+      for (const int end : {k, k + 1}) dashes.push_back(pole.foot + static_cast<double>(end) / pieces * run);
       dash_colors.insert(dash_colors.end(), 2, color);
     }
   }
-  const auto columns = [](const std::vector<Point<3>>& points) {
-    Points<3> result(3, static_cast<Index>(points.size()));
-    for (std::size_t k = 0; k < points.size(); ++k) result.col(static_cast<Index>(k)) = points[k];
-    return result;
-  };
-  Drawable lines;
-  lines.set_segments(columns(dashes), dash_colors);
-  view.draw(lines, {.opacity = 0.5, .size = 1.1 * pixel_ratio});
-  lines.set_segments(columns(stems), stem_colors);
-  view.draw(lines, {.size = 1.8 * pixel_ratio});
+  stems_.set_segments(plate_columns(stems), stem_colors);
+  dashes_.set_segments(plate_columns(dashes), dash_colors);
+  for (std::size_t kind = 0; kind < 3; ++kind) heads_[kind].set_points(plate_columns(at[kind]), colors[kind]);
+  cores_.set_points(plate_columns(at[boundary_head]));
+}
 
-  // Heads lie half in the plate; a little nearer they show whole. Hidden ones are faint.
-  for (const bool hidden : {true, false})
-    for (const bool core : {false, true})
-      for (const bool open : {false, true})
-        for (const bool small : {false, true}) {
-          if (core && !open) continue;
-          std::vector<Point<3>> at;
-          std::vector<Color> ball_colors;
-          for (const PlatePole& pole : poles_) {
-            if (pole.open != open || pole.small != small) continue;
-            at.push_back(toward(eye, pole.head, hidden ? in_front : at_hand));
-            ball_colors.push_back(core             ? theme::paper
-                                  : pole.highlight ? theme::moved
-                                                   : theme::constraint);
-          }
-          Drawable balls;
-          balls.set_points(columns(at), ball_colors);
-          const double size = (small ? 5 : core ? 5 : 9) * pixel_ratio;
-          view.draw(balls, {.opacity = hidden ? 0.3 : 1, .size = size, .lit = !core});
-        }
-  static_cast<void>(colors);
+// Lines that cross keep an order by their lifts: the curve lies over the grid, the profile over the curve.
+void Plate::draw_into(View3D& view, int width, int height, const UiColors& colors, double pixel_ratio) {
+  view.begin(width, height, camera_, colors.background);
+  view.draw(surface_);
+  view.draw(grid_, {.size = 0.8 * pixel_ratio, .lift = 0.003});
+  view.draw(zero_, {.color = theme::curve, .size = 2.6 * pixel_ratio, .lift = 0.006});
+  view.draw(profile_, {.color = theme::moved, .size = 2.4 * pixel_ratio, .lift = 0.008});
+  // What the plate hides of the poles is seen through it, faintly.
+  view.draw(dashes_, {.opacity = 0.5, .size = 1.2 * pixel_ratio, .lift = through_all});
+  draw_heads(view, pixel_ratio, true);
+  view.draw(stems_, {.size = 1.8 * pixel_ratio, .lift = 0.002});
+  draw_heads(view, pixel_ratio, false);
+  // Translucent things from far to near: what is on the other side of the zero plane comes before it.
+  const bool from_above = camera_.eye().z() >= 0;
+  const DrawLook curtain{.color = theme::moved, .opacity = 0.2, .lit = false};
+  view.draw(from_above ? curtain_below_ : curtain_above_, curtain);
+  view.draw(plane_, {.color = hex("#F4F6F9"), .opacity = 0.42, .lit = false});
+  view.draw(rim_, {.color = colors.soft_ink, .size = pixel_ratio, .lift = 0.002});
+  view.draw(from_above ? curtain_above_ : curtain_below_, curtain);
+}
+
+void Plate::draw_heads(View3D& view, double pixel_ratio, bool hidden) {
+  // Half of a head lies in the plate; lifted by about its radius it is seen whole.
+  const double lift = hidden ? through_all : 0.02, opacity = hidden ? 0.22 : 1;
+  view.draw(heads_[value_head], {.opacity = opacity, .size = 9 * pixel_ratio, .lift = lift});
+  view.draw(heads_[normal_head], {.opacity = opacity, .size = 5 * pixel_ratio, .lift = lift});
+  view.draw(heads_[boundary_head], {.opacity = opacity, .size = 9 * pixel_ratio, .lit = false, .lift = lift});
+  if (hidden) return;
+  view.draw(cores_, {.color = theme::paper, .size = 5 * pixel_ratio, .lit = false, .lift = lift});
 }
 
 void Plate::use(const ui::PictureUse& use, bool shift) {

@@ -1,7 +1,7 @@
 // The see-saw view: the function as a plate that one orbits, in a panel beside its curve.
 //
-//     plate.show(field, document, seen, profile, 64, version);     each frame; does nothing where nothing changed
-//     const Texture& picture = plate.draw(width_px, height_px, ui::colors());
+//     plate.show(field, document, seen, profile, 64, version);     each frame; does nothing where nothing
+//     changed const Texture& picture = plate.draw(width_px, height_px, ui::colors());
 //     plate.use(ui::picture("Plate", picture, width, height), shift_held);
 //     if (!plate.settled()) window.stay_awake();
 //
@@ -17,6 +17,7 @@
 // Before it: plate_mesh.h, plate_parts.h.  After it: the panel that shows it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -65,9 +66,10 @@ class Plate {
   void build_plate(const Field<2>& field, const Document<2>& document, int cells);
   void build_profile(const Field<2>& field);
   void build_plane();
+  void build_poles();
   void frame(int width, int height);
   void draw_into(View3D& view, int width, int height, const UiColors& colors, double pixel_ratio);
-  void draw_poles(View3D& view, const UiColors& colors, int width, int height, double pixel_ratio);
+  void draw_heads(View3D& view, double pixel_ratio, bool hidden);
 
   View3D rough_, smooth_;
   const Texture* picture_ = nullptr;
@@ -75,7 +77,7 @@ class Plate {
 
   OrbitCamera camera_;
   bool at_first_view_ = true;
-  double framed_low_ = 0, framed_high_ = 0;  // z that the first view shows
+  std::vector<Point<3>> framed_;  // what the first view shows
 
   Box<2> seen_;
   std::optional<ProfileLine> line_;
@@ -85,6 +87,8 @@ class Plate {
   PlateMesh mesh_;
   std::vector<PlatePole> poles_;
   Drawable surface_, grid_, zero_, plane_, rim_;
+  Drawable stems_, dashes_, cores_;
+  std::array<Drawable, 3> heads_;  // boundary, value, normal
   Drawable profile_, curtain_above_, curtain_below_;
 
   // What the picture was drawn for.

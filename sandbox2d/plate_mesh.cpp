@@ -55,9 +55,12 @@ class PlateMaker {
   Edge edge(int i, int j, EdgeKind kind) const {
     const Index here = lattice_.corner(i, j), right = here + 1, above = here + lattice_.nx + 1;
     switch (kind) {
-      case along_x: return {here, right, edge_index(i, j, kind)};
-      case along_y: return {here, above, edge_index(i, j, kind)};
-      default: break;
+      case along_x:
+        return {here, right, edge_index(i, j, kind)};
+      case along_y:
+        return {here, above, edge_index(i, j, kind)};
+      default:
+        break;
     }
     if (falling_[slot(here)]) return {right, above, edge_index(i, j, kind)};
     return {here, above + 1, edge_index(i, j, kind)};
@@ -105,7 +108,8 @@ class PlateMaker {
     std::vector<Edge> passing;
     for (const Edge& e : edges) {
       const double a = values_[e.from] - at, b = values_[e.to] - at;
-      if (std::isfinite(a) && std::isfinite(b) && ((a < 0 && b > 0) || (a > 0 && b < 0))) passing.push_back(e);
+      if (std::isfinite(a) && std::isfinite(b) && ((a < 0 && b > 0) || (a > 0 && b < 0)))
+        passing.push_back(e);
     }
     const auto n = static_cast<Index>(passing.size());
     Points<2> inside(2, n), outside(2, n);
@@ -147,8 +151,7 @@ class PlateMaker {
     const bool flat = band == 0 || band == 3;
     vertices_.push_back(space.at(p, value));
     const double steepness = flat ? 0 : space.z_scale / space.scale;
-    normals_.push_back(
-        Point<3>(-steepness * gradient.x(), -steepness * gradient.y(), 1).normalized());
+    normals_.push_back(Point<3>(-steepness * gradient.x(), -steepness * gradient.y(), 1).normalized());
     if (!normals_.back().allFinite()) normals_.back() = Point<3>::UnitZ();
     plate_.colors.push_back(plate_color(value, space.limit, side));
     return static_cast<int>(vertices_.size()) - 1;
@@ -184,7 +187,8 @@ class PlateMaker {
   }
 
   // Corners counterclockwise; edge k leads from corner k to the next. What of it lies in one band is a convex
-  // polygon: corners in that band, and crossings with the band's two levels, in the order of a walk around it.
+  // polygon: corners in that band, and crossings with the band's two levels, in the order of a walk around
+  // it.
   void triangle(const std::array<Index, 3>& corners, const std::array<Index, 3>& edges) {
     double low = infinity, high = -infinity;
     for (const Index c : corners) {
@@ -307,8 +311,8 @@ class PlateMaker {
 }  // namespace
 
 Color plate_color(double value, double limit, int side) {
-  constexpr double shore = 0.14, full = 0.9;
-  const double depth = std::min(1.0, std::abs(color_depth(value, limit)));
+  constexpr double shore = 0.14, full = 0.9, full_at = 0.6;
+  const double depth = std::min(1.0, std::abs(color_depth(value, full_at * limit)));
   return diverging_color(side * (shore + (full - shore) * depth));
 }
 
@@ -327,9 +331,9 @@ double typical_height(const Field<2>& field, const Document<2>& document, const 
   Points<2> points(2, n * n);
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i)
-      points.col(j * n + i) = among.min() + among.sizes().cwiseProduct(Point<2>(
-                                                (static_cast<double>(i) + 0.5) / n,
-                                                (static_cast<double>(j) + 0.5) / n));
+      points.col(j * n + i) =
+          among.min() + among.sizes().cwiseProduct(
+                            Point<2>((static_cast<double>(i) + 0.5) / n, (static_cast<double>(j) + 0.5) / n));
   std::vector<double> sizes;
   for (const double f : field.values(points))
     if (std::isfinite(f)) sizes.push_back(std::abs(f));

@@ -48,7 +48,7 @@ struct PlateOptions {
   int cells = 64;        ///< along the longest side of the box, at least 1; as square as the box allows
   int lines_every = 8;   ///< cells from one line of the grid drawn on the plate to the next; 0 for none
   double height = 1;     ///< > 0; a value of f that is drawn ...
-  double relief = 0.25;  ///< ... so many view units high
+  double relief = 0.29;  ///< ... so many view units high
   double headroom = 3;   ///< the plate is cut flat at so many `height`s
 };
 
@@ -59,7 +59,7 @@ struct PlateMesh {
   std::vector<Color> colors;  ///< one a vertex: orange above zero, blue below
   Points<3> grid;             ///< 3 x 2N, ends of segments, on edges of the mesh
   std::vector<Color> grid_colors;
-  Points<3> zero;  ///< 3 x 2N: the curve f = 0 as segments, z = 0, on edges of the mesh
+  Points<3> zero;                  ///< 3 x 2N: the curve f = 0 as segments, z = 0, on edges of the mesh
   double lowest = 0, highest = 0;  ///< z of the mesh, view units
   Index nonfinite = 0;             ///< corners where f is no number; the plate has holes there
 };
@@ -73,7 +73,7 @@ double typical_height(const Field<2>& field, const Document<2>& document, const 
 PlateMesh make_plate(const Field<2>& field, const Box<2>& box, const PlateOptions& options = {});
 
 /// The color of land of that value, above zero for `side` > 0. It shows its side right from the shore on, and
-/// is full where the plate is cut.
+/// is full a little before the plate is cut.
 Color plate_color(double value, double limit, int side);
 
 }  // namespace seesaw

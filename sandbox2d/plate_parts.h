@@ -1,8 +1,8 @@
 // What stands on the plate: poles at the constraints, and the profile along a line with its curtain.
 //
 // A pole goes from the zero plane to the height that its constraint asks for, and the plate touches its head.
-// A boundary constraint asks for zero, so it is a head alone; its normal constraint is a short pole beside it,
-// at `at - offset * direction`, section 4.3 of Turk and O'Brien 2002.
+// A boundary constraint asks for zero, so it is a head alone; its normal constraint is a short pole beside
+// it, at `at - offset * direction`, section 4.3 of Turk and O'Brien 2002.
 //
 // Before it: plate_mesh.h, whose PlateSpace says where things are.  After it: plate.h draws them.
 #pragma once
