@@ -192,7 +192,7 @@ void Plate::draw_into(View3D& view, int width, int height, const UiColors& color
   const bool from_above = camera_.eye().z() >= 0;
   const DrawLook curtain{.color = theme::moved, .opacity = 0.2, .lit = false};
   view.draw(from_above ? curtain_below_ : curtain_above_, curtain);
-  view.draw(plane_, {.color = hex("#F4F6F9"), .opacity = 0.42, .lit = false});
+  view.draw(plane_, {.color = mix(hex("#F4F6F9"), colors.background, 0.3), .opacity = 0.42, .lit = false});
   view.draw(rim_, {.color = colors.soft_ink, .size = pixel_ratio, .lift = 0.002});
   view.draw(from_above ? curtain_above_ : curtain_below_, curtain);
 }

@@ -80,14 +80,13 @@ class ProfilePainter {
                  high = range.low() < range.high() ? range.high() : 1;
     frame_.x = Scale(0, profile.empty() ? 1 : profile.length, false);
     frame_.y = Scale(low, high, false);
-    const double line_height = 1.9 * look.text_size;
     frame_.y_ticks =
-        linear_ticks(low, high, std::max(2, static_cast<int>(region.height / (2 * line_height))));
+        linear_ticks(low, high, std::max(2, static_cast<int>(region.height / (2.2 * look.text_size))));
     double widest = 0;
     for (const Tick& tick : frame_.y_ticks)
       widest = std::max(widest, measure_text(tick.label, words()).width);
     frame_.plot = region.inset(widest + 1.6 * look.text_size + 6 * unit_, 0.8 * look.text_size,
-                               1.2 * look.text_size, 2.9 * look.text_size);
+                               1.2 * look.text_size, 3.15 * look.text_size);
     frame_.x_ticks = linear_ticks(frame_.x.low(), frame_.x.high(),
                                   std::max(2, static_cast<int>(frame_.plot.width / (5.5 * look.text_size))));
   }
