@@ -14,7 +14,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 color;
 uniform mat4 camera_from_scene, clip_from_camera;
 uniform vec4 plain_color;
-uniform float has_colors, size;
+uniform float has_colors, size, lift;
 out vec3 at_camera, normal_camera;
 out vec4 shown;
 void main() {
@@ -23,6 +23,7 @@ void main() {
   normal_camera = mat3(camera_from_scene) * normal;
   shown = has_colors > 0.5 ? color : plain_color;
   gl_Position = clip_from_camera * p;
+  gl_Position.z += lift * clip_from_camera[3][2];
   gl_PointSize = size + 1.0;
 }
 )";
@@ -47,7 +48,7 @@ void main() {
 )";
 
 // A segment becomes a strip as wide as asked, cut at the near plane, where a division by w would turn it
-// inside out; drawn a hair nearer than it is, so that a line on a surface is seen.
+// inside out.
 const char* const segment_stage = R"(
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
@@ -73,7 +74,7 @@ void main() {
     float side = i % 2 == 0 ? -1.0 : 1.0;
     color = i < 2 ? color_a : color_b;
     aside = side * reach;
-    gl_Position = vec4(p.xy + side * across * p.w, p.z - 0.0004 * p.w, p.w);
+    gl_Position = vec4(p.xy + side * across * p.w, p.z, p.w);
     EmitVertex();
   }
   EndPrimitive();
@@ -149,6 +150,7 @@ void View3D::draw(const Drawable& what, const DrawLook& look) {
   program.set("opacity", look.opacity);
   program.set("lit", look.lit ? 1 : 0);
   program.set("size", look.size);
+  program.set("lift", what.kind() == Drawable::Kind::triangles ? 0 : look.lift);
   program.set("pixels", target_.width(), target_.height());
   glDepthMask(look.opacity < 1 ? GL_FALSE : GL_TRUE);
   what.draw();

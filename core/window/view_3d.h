@@ -29,6 +29,10 @@ struct DrawLook {
   double size = 2;               ///< width of lines, diameter of points, pixels
   /// Triangles are shaded, points are balls; otherwise everything has just its color.
   bool lit = true;
+  /// Lines and points are drawn nearer to the eye than they are, by this part of their distance, in their
+  /// place in the picture: what lies on a surface is seen. More lets it shine through thin things, up to 10:
+  /// through all of them.
+  double lift = 0.006;
 };
 
 class View3D {
