@@ -12,6 +12,7 @@
 #include "cli/scene_file.h"
 #include "cli/table.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/modelling/blend.h"
 #include "core/scene/document_json.h"

@@ -1,5 +1,4 @@
 // seesaw contour SCENE -o FILE: the curve of a 2D scene, as a picture or as numbers.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -10,14 +9,13 @@
 #include <variant>
 
 #include "cli/commands.h"
-#include "cli/output.h"
 #include "cli/scene_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/mesh/polyline.h"
 #include "core/scene/document_json.h"
-#include "core/scene/picture.h"
+#include "core/scene/document_picture.h"
 
 namespace seesaw {
 
@@ -46,13 +44,6 @@ Box<2> parse_box(const std::array<std::string, 4>& words) {
   if (!std::isfinite(x[2] - x[0]) || !std::isfinite(x[3] - x[1]))
     throw Error("--box: its sides are longer than a double can say");
   return {Point<2>(x[0], x[1]), Point<2>(x[2], x[3])};
-}
-
-// A sheet in the proportions of the box; where that would be a sliver, the picture shows more around it.
-Canvas sheet_for(const Box<2>& box, double size) {
-  const double longest = box.sizes().maxCoeff();
-  const auto side = [&](double length) { return size * std::max(length / longest, 0.2); };
-  return {side(box.sizes().x()), side(box.sizes().y())};
 }
 
 void run(const ContourArguments& options) {

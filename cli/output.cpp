@@ -9,8 +9,6 @@
 
 namespace seesaw {
 
-namespace fs = std::filesystem;
-
 void print(std::string_view text) {
   while (!text.empty()) {
     const ::ssize_t n = ::write(STDOUT_FILENO, text.data(), text.size());
@@ -22,23 +20,6 @@ void print(std::string_view text) {
       throw FileError("standard output", std::string("cannot be written: ") + std::strerror(errno));
     }
   }
-}
-
-std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
-}
-
-void refuse_unless_writable(const fs::path& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) throw FileError(path.string(), "is a folder, not a file");
-  const fs::path folder = path.parent_path();
-  if (folder.empty() || fs::is_directory(folder, error)) return;
-  throw FileError(path.string(), "cannot be written: " + (fs::exists(folder, error)
-                                                              ? folder.string() + " is a file, not a folder"
-                                                              : "there is no folder " + folder.string()));
 }
 
 }  // namespace seesaw

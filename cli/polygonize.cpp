@@ -15,6 +15,7 @@
 #include "cli/output.h"
 #include "cli/scene_file.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_file.h"

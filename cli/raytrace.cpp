@@ -17,6 +17,7 @@
 #include "cli/output.h"
 #include "cli/scene_file.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/image/png.h"
 #include "core/mesh/mesh_file.h"

@@ -12,7 +12,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/scene/document_json.h"
-#include "core/scene/picture.h"
+#include "core/scene/document_picture.h"
 #include "figures/catalog.h"
 #include "figures/gallery.h"
 #include "figures/output.h"
@@ -84,11 +84,7 @@ int make_figures(const std::vector<std::string>& ids, const std::filesystem::pat
 int render(const std::string& scene, const std::string& output, double size) {
   const Document<2> document = read_document<2>(scene);
   const Fit<2> fitted = fit(document);
-  const Point<2> extent = view_box(document, fitted.function).sizes();
-  const double longest = extent.maxCoeff();
-  Canvas canvas(size * extent.x() / longest, size * extent.y() / longest);
-  draw_document(canvas, canvas.bounds(), document, fitted.function);
-  canvas.save(output);
+  picture_of(document, fitted.function, size).save(output);
   return 0;
 }
 
@@ -113,7 +109,7 @@ int run(int argc, char** argv) {
 
   auto* rendering = app.add_subcommand("render", "draw a 2D scene");
   std::string scene, output;
-  double size = 480;
+  double size = usual_picture_size;
   rendering->add_option("SCENE", scene, "a scene file (JSON)")->required();
   rendering->add_option("-o,--output", output, "a .png, .svg or .pdf file")->required();
   rendering->add_option("--size", size, "the longer side, points")

@@ -95,4 +95,21 @@ void write_file(const fs::path& path, std::string_view bytes) {
   if (!flush_folder(target.parent_path())) fail("flushing its folder");
 }
 
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending;
+}
+
+void refuse_unless_writable(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw FileError(path.string(), "is a folder, not a file");
+  const fs::path folder = path.parent_path();
+  if (folder.empty() || fs::is_directory(folder, error)) return;
+  throw FileError(path.string(), "cannot be written: " + (fs::exists(folder, error)
+                                                              ? folder.string() + " is a file, not a folder"
+                                                              : "there is no folder " + folder.string()));
+}
+
 }  // namespace seesaw

@@ -15,4 +15,11 @@ std::string read_file(const std::filesystem::path& path, std::size_t limit = std
 /// too, so that the name is as safe as the bytes (where the file system can do that). Throws FileError.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// The ending of a file's name with its dot, in lower case: ".png"; empty when it has none.
+std::string ending_of(const std::filesystem::path& path);
+
+/// Throws FileError when no file can be made at `path`: its folder is missing, or it is itself a folder.
+/// Asked before long work, not after it.
+void refuse_unless_writable(const std::filesystem::path& path);
+
 }  // namespace seesaw

@@ -147,9 +147,7 @@ std::string Canvas::pdf() const {
 }
 
 void Canvas::save(const std::filesystem::path& path, double png_scale) const {
-  std::string ending = path.extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string ending = ending_of(path);
   if (ending == ".png") return write_png(path, image(png_scale));
   if (ending == ".svg") return write_file(path, svg());
   if (ending == ".pdf") return write_file(path, pdf());

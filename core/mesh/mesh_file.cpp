@@ -21,10 +21,6 @@ using Reader = PolygonSoup (*)(std::string_view, const std::string&);
 // From here on products of three coordinates may overflow, and every sign with them.
 constexpr double largest_coordinate = 1e100;
 
-std::string ending_of(const std::string& name) {
-  return lower_case(std::filesystem::path(name).extension().string());
-}
-
 std::string_view first_word(std::string_view text) {
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   return text.substr(begin, text.find_first_of(" \t\r\n", begin) - begin);

@@ -158,8 +158,6 @@ std::string pwn_of(const PointCloud& cloud) {
   return cloud.has_normals() ? text + rows_of({cloud.normals, {}}, ' ') : text;
 }
 
-std::string ending_of(const std::filesystem::path& path) { return lower_case(path.extension().string()); }
-
 }  // namespace
 
 std::string mesh_bytes(const TriangleMesh& mesh, const std::string& ending, const WriteOptions& options) {

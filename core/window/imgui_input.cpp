@@ -120,13 +120,13 @@ struct Tell {
 
 }  // namespace
 
-bool pressed_now(Key which) {
+bool pressed_now(Key which, bool repeat) {
 #if IMGUI_VERSION_NUM >= 18700
   for (const auto& [ours, theirs] : imgui_keys)
-    if (ours == which) return ImGui::IsKeyPressed(static_cast<ImGuiKey>(theirs), false);
+    if (ours == which) return ImGui::IsKeyPressed(static_cast<ImGuiKey>(theirs), repeat);
   return false;
 #else
-  return ImGui::IsKeyPressed(static_cast<int>(which), false);
+  return ImGui::IsKeyPressed(static_cast<int>(which), repeat);
 #endif
 }
 

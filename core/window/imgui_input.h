@@ -16,8 +16,8 @@ void start_imgui_input();
 /// Tells it of the event, before its NewFrame.
 void tell_imgui(const InputEvent& event);
 
-/// Whether the key, one that Dear ImGui knows, went down in this frame.
-bool pressed_now(Key key);
+/// Whether the key, one that Dear ImGui knows, went down in this frame, or repeats.
+bool pressed_now(Key key, bool repeat = false);
 
 /// Decides, after NewFrame, whether an event is the user interface's: a press, by what is under the pointer;
 /// a release and the moves of a drag, by who got the press; keys and text, by whether something is typed.

@@ -11,16 +11,19 @@
 //     }
 //
 // A label must be unique within its panel; what follows "##" in it is not shown: "Delete##3". Scripts call a
-// widget by what is shown. All lengths are logical pixels of the window; multiply yours by ui::scale().
+// widget by what is shown; a field without a shown label by its hint, a choice by what is chosen. All lengths
+// are logical pixels of the window; multiply yours by ui::scale().
 //
 // Before it: Window::begin_frame. After it: Window::end_frame, which draws it all.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/image/rect.h"
+#include "core/window/input.h"
 #include "core/window/texture.h"
 #include "core/window/ui_style.h"
 
@@ -85,12 +88,18 @@ Scope id(long number);
 /// Sliders, fields and choices within are so wide; negative: so much is left free to their right.
 Scope item_width(double width);
 
-// Dialogs: in the middle, over all else, until they are closed; Escape closes them, with nothing done.
+// Dialogs: in the middle, over all else, until they are closed; Escape closes them, with nothing done. One
+// that is drawn within another stands before it, and keys are for the foremost.
 
 /// From anywhere, a menu too; it opens where and when dialog(title) is next called.
 void open_dialog(const std::string& title);
-Scope dialog(const std::string& title, double width = 0);
+/// Without `escape` the program itself looks for that key, and may do something first.
+Scope dialog(const std::string& title, double width = 0, bool escape = true);
 void close_dialog();
+/// Whether a dialog, a menu or a popup is open.
+bool any_dialog();
+/// Within a dialog: whether nothing stands before it, neither another dialog nor an open choice.
+bool foremost();
 /// A small menu at the pointer.
 void open_popup(const std::string& id);
 Scope popup(const std::string& id);
@@ -106,6 +115,23 @@ bool checkbox(const std::string& label, bool& on);
 bool radio(const std::string& label, bool on);
 /// A line of a list.
 bool list_item(const std::string& label, bool chosen);
+
+/// What stands at the right of a list's line, flush right in a column of its own.
+struct RowFact {
+  std::string words;
+  double width = 0;
+};
+struct RowUse {
+  bool clicked = false;  ///< the second click of two, too
+  bool double_clicked = false;
+};
+/// A line of a list as wide as there is room: a small mark, the label, which is shortened where it is too
+/// long, and soft facts. The label is shown whole, "##" too, so it stands within a ui::id.
+RowUse list_row(const std::string& label, bool chosen, const std::vector<RowFact>& facts = {},
+                const std::string& mark = {});
+/// Draws those of `count` lines of the same height that can be seen: a list of 100,000 is as quick as one of
+/// 10. Stands in a scroll_area, which is moved so that line `show` can be seen; -1 for no such wish.
+void long_list(Index count, const std::function<void(Index)>& draw_row, Index show = -1);
 
 // Values.
 
@@ -142,6 +168,8 @@ void progress(double fraction, const std::string& words);
 /// Shown while the pointer rests on the last widget.
 void tooltip(const std::string& words);
 double text_width(const std::string& words);
+/// The words, or as much of their beginning and end as fits into `width`, with … between.
+std::string shortened(const std::string& words, double width);
 
 // Layout.
 
@@ -154,11 +182,23 @@ double height_left();
 double line_height();
 /// Of letters and panels (Window::set_scale).
 double scale();
+/// What comes next is `width` wide, and flush right.
+void flush_right(double width);
+/// How wide a button with these words is, and with all of them side by side.
+double button_width(const std::string& label);
+double buttons_width(const std::vector<std::string>& labels);
+/// Of the window.
+double window_width();
+double window_height();
 /// Where the last widget is.
 Rect last_place();
 bool last_hovered();
 /// The next widget gets the keys.
 void focus_next();
+/// Whether the key went down in this frame, whoever has the keys; `repeat`: or was held for a while. Only
+/// keys that move a caret or end its work are known here: arrows, page up and down, enter, escape, tab and
+/// such.
+bool key_pressed(Key key, bool repeat = false);
 
 // Pictures.
 

@@ -125,7 +125,7 @@ Scope item_width(double width) {
 // dialog.
 void open_dialog(const std::string& title) { ui_state().to_open.push_back(title); }
 
-Scope dialog(const std::string& title, double width) {
+Scope dialog(const std::string& title, double width, bool escape) {
   if (ui_state().take_to_open(title)) ImGui::OpenPopup(title.c_str());
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(vec(0.5 * static_cast<double>(window.x), 0.45 * static_cast<double>(window.y)),
@@ -137,7 +137,8 @@ Scope dialog(const std::string& title, double width) {
   enter(title);
   ++ui_state().dialogs;
   // Out of a text field first.
-  if (detail::pressed_now(Key::escape) && !ImGui::IsAnyItemActive()) ImGui::CloseCurrentPopup();
+  if (escape && detail::pressed_now(Key::escape) && foremost() && !ImGui::IsAnyItemActive())
+    ImGui::CloseCurrentPopup();
   return {true, [] {
             ImGui::EndPopup();
             leave();
@@ -146,6 +147,9 @@ Scope dialog(const std::string& title, double width) {
 }
 
 void close_dialog() { ImGui::CloseCurrentPopup(); }
+bool any_dialog() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup); }
+// Asks for those above the present one only.
+bool foremost() { return !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId); }
 
 void open_popup(const std::string& id) { ui_state().to_open.push_back(id); }
 Scope popup(const std::string& id) {

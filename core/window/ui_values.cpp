@@ -48,8 +48,8 @@ bool button(const std::string& label, double width) { return plain_button(label,
 bool main_button(const std::string& label, double width) {
   const bool pressed = filled_button(label, width);
   // A text field lets go of Enter in the frame in which it is pressed.
-  return pressed ||
-         (detail::ui_state().dialogs > 0 && detail::pressed_now(Key::enter) && !ImGui::IsAnyItemActive());
+  return pressed || (detail::ui_state().dialogs > 0 && foremost() && detail::pressed_now(Key::enter) &&
+                     !ImGui::IsAnyItemActive());
 }
 bool tool_button(const std::string& label, bool on, double width) {
   return on ? filled_button(label, width) : plain_button(label, width);
@@ -111,7 +111,7 @@ Edit drag_number(const std::string& label, double& value, double speed, const ch
 
 Edit text_field(const std::string& label, std::string& text, const std::string& hint) {
   const bool changed = ImGui::InputTextWithHint(label.c_str(), hint.c_str(), &text);
-  return edit_of_last(label, changed);
+  return edit_of_last(detail::visible_part(label).empty() ? hint : label, changed);
 }
 
 Edit text_area(const std::string& label, std::string& text, double width, double height) {
@@ -122,13 +122,14 @@ Edit text_area(const std::string& label, std::string& text, double width, double
 
 Edit choice(const std::string& label, int& chosen, const std::vector<std::string>& names) {
   const bool known = chosen >= 0 && chosen < static_cast<int>(names.size());
-  const bool open =
-      ImGui::BeginCombo(label.c_str(), known ? names[static_cast<std::size_t>(chosen)].c_str() : "");
+  const std::string shown = known ? names[static_cast<std::size_t>(chosen)] : "";
+  const bool open = ImGui::BeginCombo(label.c_str(), shown.c_str());
   Edit edit;
   if (!open) {
-    note_item(label);
+    note_item(detail::visible_part(label).empty() ? shown : label);
     return edit;
   }
+  if (detail::pressed_now(Key::escape)) ImGui::CloseCurrentPopup();
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
     const std::string& name = names[static_cast<std::size_t>(i)];
     ImGui::PushID(i);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/window/imgui_input.h"
 #include "core/window/ui.h"
 #include "core/window/ui_state.h"
 
@@ -81,6 +82,27 @@ double text_width(const std::string& words) {
   return static_cast<double>(ImGui::CalcTextSize(words.data(), words.data() + words.size()).x);
 }
 
+std::string shortened(const std::string& words, double width) {
+  if (text_width(words) <= width) return words;
+  // Where letters begin, and the end.
+  std::vector<std::size_t> letters;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if ((static_cast<unsigned char>(words[i]) & 0xC0) != 0x80) letters.push_back(i);
+  const std::size_t count = letters.size();
+  letters.push_back(words.size());
+  // A third of what is left is the end: it tells names of one family apart, and has a file's ending.
+  const auto with = [&](std::size_t kept) {
+    const std::size_t tail = kept / 3, head = kept - tail;
+    return words.substr(0, letters[head]) + "…" + words.substr(letters[count - tail]);
+  };
+  std::size_t fits = 0, too_many = count;
+  while (too_many - fits > 1) {
+    const std::size_t middle = (fits + too_many) / 2;
+    (text_width(with(middle)) <= width ? fits : too_many) = middle;
+  }
+  return with(fits);
+}
+
 void same_line(double gap) { ImGui::SameLine(0, static_cast<float>(gap)); }
 void separator() { ImGui::Separator(); }
 void gap(double height) { ImGui::Dummy({0, static_cast<float>(height)}); }
@@ -88,6 +110,20 @@ double width_left() { return static_cast<double>(ImGui::GetContentRegionAvail().
 double height_left() { return static_cast<double>(ImGui::GetContentRegionAvail().y); }
 double line_height() { return static_cast<double>(ImGui::GetFrameHeightWithSpacing()); }
 double scale() { return ui_state().scale; }
+void flush_right(double width) {
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + static_cast<float>(std::max(0.0, width_left() - width)));
+}
+double button_width(const std::string& label) {
+  return text_width(detail::visible_part(label)) + 2 * static_cast<double>(ImGui::GetStyle().FramePadding.x);
+}
+double buttons_width(const std::vector<std::string>& labels) {
+  double sum = 0;
+  for (const std::string& label : labels)
+    sum += button_width(label) + (sum > 0 ? static_cast<double>(ImGui::GetStyle().ItemSpacing.x) : 0);
+  return sum;
+}
+double window_width() { return static_cast<double>(ImGui::GetIO().DisplaySize.x); }
+double window_height() { return static_cast<double>(ImGui::GetIO().DisplaySize.y); }
 
 Rect last_place() {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -95,6 +131,7 @@ Rect last_place() {
 }
 bool last_hovered() { return ImGui::IsItemHovered(); }
 void focus_next() { ImGui::SetKeyboardFocusHere(); }
+bool key_pressed(Key key, bool repeat) { return detail::pressed_now(key, repeat); }
 
 void background(const Texture& texture, const Rect& rect) {
   if (texture.empty()) return;
