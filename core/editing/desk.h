@@ -126,6 +126,10 @@ class Desk {
   const Grid& grid() const { return grid_; }
   double grid_step() const { return grid_.step(view_.pixel()); }
   const std::optional<ProfileLine>& profile() const { return profile_; }
+  /// For a program that knows a good one; nothing in hand may be dragging it.
+  void set_profile(std::optional<ProfileLine> line) {
+    if (!hand_) profile_ = std::move(line);
+  }
   /// Saved with the document, but not undone: how a person looks at it.
   Display<2>& display() { return display_; }
   const Display<2>& display() const { return display_; }

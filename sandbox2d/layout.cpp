@@ -1,0 +1,38 @@
+#include "sandbox2d/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seesaw {
+
+Layout layout_of(const LayoutWish& wish) {
+  Layout layout;
+  const double s = wish.scale, top = std::ceil(wish.menu), status = std::round(30 * s);
+  const double height = std::max(1.0, wish.height - top - status);
+  layout.status = {0, top + height, wish.width, status};
+  const double least = std::max(1.0, 0.2 * wish.width);
+  double left = 0, right = wish.width;
+  const auto room = [&](double wanted) { return right - left - wanted >= least; };
+  if (wish.panels && room(std::round(124 * s))) {
+    layout.tools = {0, top, std::round(124 * s), height};
+    left = layout.tools.width;
+  }
+  if (wish.panels && room(std::round(292 * s))) {
+    layout.side = {right - std::round(292 * s), top, std::round(292 * s), height};
+    right = layout.side.x;
+  }
+  const bool beside = wish.plate || wish.profile;
+  const double half = std::round(0.46 * (right - left));
+  if (beside && room(half)) {
+    const Rect column{right - half, top, half, height};
+    right = column.x;
+    // The chart needs little height, the plate all it can get.
+    const double chart = !wish.profile ? 0 : wish.plate ? std::round(0.36 * height) : height;
+    if (wish.plate) layout.plate = {column.x, top, half, height - chart};
+    if (wish.profile) layout.profile = {column.x, top + height - chart, half, chart};
+  }
+  layout.scene = {left, top, right - left, height};
+  return layout;
+}
+
+}  // namespace seesaw
