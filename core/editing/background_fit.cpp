@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include "core/base/parallel.h"
+
 namespace seesaw {
 
 template <int Dim>
@@ -26,7 +28,7 @@ BackgroundFit<Dim>::~BackgroundFit() {
 template <int Dim>
 void BackgroundFit<Dim>::work() {
   try {
-    result_.emplace(job_.run());
+    leaving_a_core([&] { result_.emplace(job_.run()); });
   } catch (...) {
     error_ = std::current_exception();
   }

@@ -1,4 +1,4 @@
-// One full fit on a thread of its own.
+// One full fit on a thread of its own, and on all cores but one: edits go on meanwhile.
 //
 //     BackgroundFit<2> fit({constraints, options}, [&] { window.wake(); });
 //     ... frames ...
