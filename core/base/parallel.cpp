@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -14,6 +15,11 @@ void parallel_blocks(Index count, Index block, const std::function<void(Index, I
   tbb::parallel_for(tbb::blocked_range<Index>(0, blocks), [&](const tbb::blocked_range<Index>& range) {
     work(range.begin() * block, std::min(count, range.end() * block));
   });
+}
+
+void leaving_a_core(const std::function<void()>& work) {
+  tbb::task_arena arena(std::max(1, tbb::this_task_arena::max_concurrency() - 1));
+  arena.execute(work);
 }
 
 }  // namespace seesaw

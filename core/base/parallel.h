@@ -13,4 +13,8 @@ namespace seesaw {
 /// calling thread.
 void parallel_blocks(Index count, Index block, const std::function<void(Index begin, Index end)>& work);
 
+/// Calls `work` in the calling thread, where its loops run on all cores but one: for work on a thread of its
+/// own, beside one that a person is waiting for.
+void leaving_a_core(const std::function<void()>& work);
+
 }  // namespace seesaw

@@ -194,9 +194,11 @@ const Interpolant<2>* Desk::other() {
   if (other_revision_ != revision()) {
     Document<2> same = document();
     same.kernel = *other_kernel_;
-    Shape<2> shape;
+    // What there is stays while the newest is on its way.
+    Shape<2> shape{.function = other_};
     solve<2>(shape, same, 0, options_.other_solver);
-    other_ = shape.function;
+    other_ = shape.impossible ? nullptr : shape.function;
+    other_pending_ = shape.pending;
     other_revision_ = revision();
   }
   return other_.get();
@@ -207,10 +209,17 @@ std::string Desk::other_name() const {
   return comparing_ ? "before" : "";
 }
 
+void Desk::solve_again() {
+  editor_.solve_again();
+  if (other_pending_) other_revision_ = ~std::uint64_t{0};
+  if (fit_when_solved_ && editor_.shape().function) fit();
+}
+
 void Desk::fit() {
   Document<2> everything = document();
   everything.display.view.reset();
   const auto function = editor_.shape().function;
+  fit_when_solved_ = !function && editor_.shape().pending;
   if (everything.constraints.empty() || !function)
     view_.show(everything.constraints.empty() ? Box<2>() : grown(box_around(everything), 0.12));
   else
@@ -218,12 +227,15 @@ void Desk::fit() {
 }
 
 void Desk::show_as_saved() {
-  if (display_.view)
-    view_.show(*display_.view);
-  else
-    fit();
+  if (!display_.view) return fit();
+  fit_when_solved_ = false;
+  view_.show(*display_.view);
 }
 
-void Desk::keep_home() { view_.set_home(box_around(document())); }
+// Before a person moves the view: from there on it is theirs.
+void Desk::keep_home() {
+  view_.set_home(box_around(document()));
+  fit_when_solved_ = false;
+}
 
 }  // namespace seesaw

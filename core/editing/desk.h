@@ -39,7 +39,8 @@ struct Clipboard {
 
 struct DeskOptions {
   EditorOptions<2> editor = {};
-  /// For the function of another kernel, to compare with.
+  /// For the function of another kernel, to compare with. A window gives a solver of its own here that may be
+  /// StillSolving (core/editing/background_solver.h), as it does in `editor`.
   Solver<2> other_solver = [](const Constraints<2>& c, FitOptions o) {
     o.condition = false;
     return fit<2>(c, o);
@@ -102,6 +103,9 @@ class Desk {
   }
   /// Solves where that is still to be done. The reference lasts until something is done.
   const Shape<2>& shape() { return editor_.shape(); }
+  /// Where a solver has news: asks both again for what was pending, and the editor's for a better function.
+  /// What was shown whole before there was a curve is shown whole once there is one.
+  void solve_again();
   /// Grows with every change of the document, and never repeats, also over documents.
   std::uint64_t revision() const { return revisions_before_ + editor_.revision(); }
 
@@ -139,6 +143,8 @@ class Desk {
   /// The shape to compare with: that of "before", or of another kernel. Null for none. Lives until something
   /// is done.
   const Interpolant<2>* other();
+  /// True where other() is that of an earlier revision, or null, because its solver is still at work.
+  bool other_pending() const { return other_pending_; }
   /// "before", or the kernel's name; empty for none.
   std::string other_name() const;
 
@@ -273,6 +279,8 @@ class Desk {
   std::optional<Kernel> other_kernel_;
   std::shared_ptr<const Interpolant<2>> other_;  // of other_kernel_
   std::uint64_t other_revision_ = ~std::uint64_t{0};
+  bool other_pending_ = false;
+  bool fit_when_solved_ = false;  // the view shows constraints alone: the curve was not there yet
 
   std::filesystem::path path_;
   std::optional<std::uint64_t> saved_state_ = 0;

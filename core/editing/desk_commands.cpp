@@ -34,6 +34,8 @@ void Desk::run_selection(DeskCommand command) {
     case C::select_culprits:
       if (const auto& impossible = editor_.shape().impossible)
         selection_ = Selection(impossible->culprits);
+      else if (editor_.shape().pending)
+        say("the shape is still being solved: whether there are culprits is not known yet");
       else
         say("all constraints are obeyed: there is no culprit");
       break;
@@ -169,6 +171,8 @@ void Desk::run_display(DeskCommand command) {
       return;
     case C::remember:
       before_ = editor_.shape().function;
+      if (before_ && editor_.shape().pending)
+        return say("remembered as it is drawn, while the newest is still being solved: O compares with it");
       return say(before_ ? "remembered: O compares with it" : "there is no shape to remember yet", !before_);
     case C::compare:
       if (!before_) return say("nothing is remembered yet: M remembers the shape as it is", true);
@@ -181,6 +185,8 @@ void Desk::run_display(DeskCommand command) {
       const auto here = std::ranges::find(round, other_kernel_);
       other_kernel_ = here == round.end() || here + 1 == round.end() ? round.front() : *(here + 1);
       other_revision_ = ~std::uint64_t{0};
+      other_.reset();
+      other_pending_ = false;
       return;
     }
     default:

@@ -29,6 +29,8 @@ void Desk::replace(Editor<2> next, std::filesystem::path path, bool saved) {
   before_.reset();
   comparing_ = false;
   other_kernel_.reset();
+  other_.reset();
+  other_pending_ = false;
   show_as_saved();
 }
 

@@ -30,6 +30,12 @@ const Shape<Dim>& Editor<Dim>::shape() {
 }
 
 template <int Dim>
+void Editor<Dim>::solve_again() {
+  solved_ = false;
+  if (options_.solve_at_once) shape();
+}
+
+template <int Dim>
 void Editor<Dim>::changed() {
   ++revision_;
   solved_ = false;

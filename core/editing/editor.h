@@ -85,6 +85,9 @@ class Editor {
   Index size() const { return static_cast<Index>(document_.constraints.size()); }
   /// Of document(), or the last good one and what is wrong. The reference lasts until the next command.
   const Shape<Dim>& shape();
+  /// Asks the solver again, for one that had been StillSolving or has a better function now. Neither a change
+  /// nor a command: revision and history stay.
+  void solve_again();
 
   /// Grows with every change of the document, undo included, and never repeats.
   std::uint64_t revision() const { return revision_; }

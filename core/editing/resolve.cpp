@@ -17,8 +17,9 @@ namespace {
 template <int Dim>
 const Interpolant<Dim>& function_of(const Shape<Dim>& shape, const char* action) {
   if (!shape.function)
-    refuse(action, std::string("there is no shape yet") +
-                       (shape.impossible ? ": " + shape.impossible->message : std::string()));
+    refuse(action, std::string("there is no shape yet") + (shape.impossible ? ": " + shape.impossible->message
+                                                           : shape.pending  ? ": it is still being solved"
+                                                                            : ""));
   return *shape.function;
 }
 

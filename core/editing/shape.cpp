@@ -7,11 +7,19 @@ namespace seesaw {
 template <int Dim>
 void solve(Shape<Dim>& shape, const Document<Dim>& document, std::uint64_t revision,
            const Solver<Dim>& solver) {
+  shape.pending = false;
   try {
     Fit<Dim> fitted =
         solver(constraints_of(document), {.kernel = document.kernel, .smoothing = document.smoothing});
     shape = {std::make_shared<const Interpolant<Dim>>(std::move(fitted.function)), fitted.report, revision,
-             std::nullopt};
+             std::nullopt, false};
+  } catch (const StillSolving<Dim>& still) {
+    if (still.newer()) {
+      shape.function = std::make_shared<const Interpolant<Dim>>(still.newer()->function);
+      shape.report = still.newer()->report;
+    }
+    shape.impossible.reset();
+    shape.pending = true;
   } catch (const ConstraintError& error) {
     shape.impossible = Impossible{error.reason(), error.what(), error.culprits()};
   } catch (const std::bad_alloc&) {

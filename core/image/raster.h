@@ -8,7 +8,7 @@
 //     raster.paint(canvas, window.pixel_ratio());
 //     if (dark) raster.negative(hex("#15181D"));
 //     texture.upload(Pixels{raster.data(), raster.width(), raster.height(), raster.stride(),
-//     PixelOrder::bgra});
+//                           PixelOrder::bgra});
 //
 // In memory a pixel is the bytes B, G, R, A (on a big-endian machine A, R, G, B), the top row first. Color is
 // premultiplied: B, G and R are already multiplied by A / 255. So they are the color itself where the canvas

@@ -95,6 +95,12 @@ std::string_view name_of(EditReport::Full full) {
   return "";
 }
 
+FullFitDue::FullFitDue(EditReport::Full reason, Index rows)
+    : Error(std::string(name_of(reason)) + "; it has " + std::to_string(rows) +
+            " rows, more than are fitted at once"),
+      reason_(reason),
+      rows_(rows) {}
+
 template <int Dim>
 EditSession<Dim>::Ground::Ground(FullFit<Dim> fresh)
     : full(std::make_shared<const FullFit<Dim>>(std::move(fresh))),
@@ -104,10 +110,15 @@ EditSession<Dim>::Ground::Ground(FullFit<Dim> fresh)
 template <int Dim>
 EditSession<Dim>::EditSession(const Constraints<Dim>& constraints, const FitOptions& options,
                               const EditOptions& edit)
+    : EditSession(full_fit(constraints, options), constraints, edit) {}
+
+template <int Dim>
+EditSession<Dim>::EditSession(FullFit<Dim> fresh, const Constraints<Dim>& constraints,
+                              const EditOptions& edit)
     : edit_(edit),
       constraints_(constraints),
-      options_(options),
-      ground_(full_fit(constraints, options)),
+      options_(fresh.options),
+      ground_(std::move(fresh)),
       fit_(ground_.full->fit) {
   last_.checked = fit_.report.rows;
   last_.residual = fit_.report.max_residual;
@@ -146,22 +157,23 @@ Fit<Dim> EditSession<Dim>::next(const Constraints<Dim>& constraints, const FitOp
   if (kernel_of(options, Dim) != base.kernel() || options.smoothing != base.options.smoothing ||
       (options.condition && !base.options.condition)) {
     edit.full = Full::options;
-    return refit(constraints, options, edit);
+    return refit(constraints, options, rows.values.size(), edit);
   }
   const RowMatch match = ground_.finder.match(rows.centers);
   edit.full = reason_for_full(rows, match);
-  if (edit.full != Full::no) return refit(constraints, options, edit);
+  if (edit.full != Full::no) return refit(constraints, options, rows.values.size(), edit);
   edit.removed = static_cast<Index>(match.removed.size());
   edit.added = static_cast<Index>(match.added.size());
   Fit<Dim> result = bordered(rows, match, counted(constraints), edit);
-  if (edit.full != Full::no) return refit(constraints, options, edit);
+  if (edit.full != Full::no) return refit(constraints, options, rows.values.size(), edit);
   if (!options.condition) result.report.reciprocal_condition = 1.0;
   return result;
 }
 
 template <int Dim>
-Fit<Dim> EditSession<Dim>::refit(const Constraints<Dim>& constraints, const FitOptions& options,
+Fit<Dim> EditSession<Dim>::refit(const Constraints<Dim>& constraints, const FitOptions& options, Index rows,
                                  EditReport& edit) {
+  if (rows > edit_.largest_full) throw FullFitDue(edit.full, rows);
   Ground fresh(full_fit(constraints, options));
   ground_ = std::move(fresh);
   const Fit<Dim>& fit = ground_.full->fit;

@@ -31,8 +31,13 @@
 // refined with its residual at all rows, and where that does not help, or where rows are so near to each
 // other that only a factorization can tell whether they can be told apart, there is a full fit. So the
 // errors, too, are those of fit().
+//
+// Whoever cannot wait for a full fit says how large one may be (EditOptions::largest_full): a larger one is
+// not made but asked for, by FullFitDue, and what was made elsewhere is a session's start. That is what
+// core/editing/background_solver.h does.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string_view>
 
@@ -53,6 +58,8 @@ struct EditOptions {
   /// Kernel evaluations that may be spent on looking at rows that did not change: all of them where N^2 is
   /// less, that many / N otherwise, evenly over the list.
   Index check = 200000;
+  /// Where a full fit of more rows than this is due, `update` throws FullFitDue instead.
+  Index largest_full = std::numeric_limits<Index>::max();
 };
 
 /// How the last function came about.
@@ -79,6 +86,19 @@ struct EditReport {
 
 /// "full fit: many changes" and the like, or "bordered".
 std::string_view name_of(EditReport::Full full);
+
+/// A full fit is due, and larger than EditOptions::largest_full.
+class FullFitDue : public Error {
+ public:
+  FullFitDue(EditReport::Full reason, Index rows);
+
+  EditReport::Full reason() const { return reason_; }
+  Index rows() const { return rows_; }
+
+ private:
+  EditReport::Full reason_;
+  Index rows_;
+};
 
 /// A full fit to be made elsewhere. Plain data.
 template <int Dim>
@@ -107,11 +127,13 @@ class EditSession {
   /// A full fit; throws ConstraintError as `fit` does.
   explicit EditSession(const Constraints<Dim>& constraints, const FitOptions& options = {},
                        const EditOptions& edit = {});
+  /// With a full fit that was made elsewhere, of these constraints.
+  EditSession(FullFit<Dim> fresh, const Constraints<Dim>& constraints, const EditOptions& edit = {});
 
   /// The function of these constraints: fit()'s to some 1e-9 of the values, with centers in the same order.
-  /// Throws ConstraintError as `fit` does (same reason, same culprits); the session then stays what it was.
-  /// In the report, the reciprocal condition is that of the last full fit and `max_residual` that of the rows
-  /// looked at.
+  /// Throws ConstraintError as `fit` does (same reason, same culprits), and FullFitDue; the session then
+  /// stays what it was. In the report, the reciprocal condition is that of the last full fit and
+  /// `max_residual` that of the rows looked at.
   const Fit<Dim>& update(const Constraints<Dim>& constraints);
   /// Another kernel or smoothing is a full fit.
   const Fit<Dim>& update(const Constraints<Dim>& constraints, const FitOptions& options);
@@ -145,7 +167,8 @@ class EditSession {
   Fit<Dim> next(const Constraints<Dim>& constraints, const FitOptions& options, EditReport& edit);
   Fit<Dim> bordered(const Rows<Dim>& rows, const RowMatch& match, FitReport report, EditReport& edit);
   EditReport::Full reason_for_full(const Rows<Dim>& rows, const RowMatch& match) const;
-  Fit<Dim> refit(const Constraints<Dim>& constraints, const FitOptions& options, EditReport& edit);
+  Fit<Dim> refit(const Constraints<Dim>& constraints, const FitOptions& options, Index rows,
+                 EditReport& edit);
 
   EditOptions edit_;
   Constraints<Dim> constraints_;

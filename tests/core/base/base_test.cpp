@@ -5,9 +5,13 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
+#include <set>
+#include <thread>
 
 #include "core/base/check.h"
 #include "core/base/error.h"
@@ -149,6 +153,22 @@ TEST(Parallel, ErrorsReachTheCaller) {
                                  if (begin > 500) throw Error("no");
                                }),
                Error);
+}
+
+TEST(Parallel, ACoreIsLeft) {
+  const auto caller = std::this_thread::get_id();
+  std::mutex mutex;
+  std::set<std::thread::id> threads;
+  leaving_a_core([&] {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    parallel_blocks(400, 1, [&](Index, Index) {
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      const std::scoped_lock lock(mutex);
+      threads.insert(std::this_thread::get_id());
+    });
+  });
+  EXPECT_LE(threads.size(), std::max(1u, std::thread::hardware_concurrency() - 1));
+  EXPECT_THROW(leaving_a_core([] { throw Error("no"); }), Error);
 }
 
 TEST(Progress, StopsWhenTold) {

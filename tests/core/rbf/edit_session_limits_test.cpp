@@ -186,5 +186,42 @@ TEST(EditSession, InaccurateIsRefinedOrFittedAgain) {
   EXPECT_EQ(refitting.last().full, Full::inaccurate);
 }
 
+TEST(EditSession, AFullFitThatIsTooLargeIsAskedForInstead) {
+  Constraints<2> shape = ring(), few(shape.begin(), shape.begin() + 30);
+  const Index rows = fit(shape).report.rows;
+  EditSession<2> session(shape, {}, {.largest_full = rows - 1});
+  shape[4].at *= 0.9;
+  session.update(shape);
+  EXPECT_EQ(session.last().full, Full::no) << "a border is none";
+  const Values before = session.fit().function.normalized_weights();
+  const FitOptions cubic{.kernel = Kernel::cubic};
+  try {
+    session.update(shape, cubic);
+    ADD_FAILURE() << "a full fit was made";
+  } catch (const FullFitDue& due) {
+    EXPECT_EQ(due.reason(), Full::options);
+    EXPECT_EQ(due.rows(), rows);
+  }
+  auto many = shape;
+  for (Constraint<2>& each : many) each.at *= 1.01;
+  EXPECT_THROW(session.update(many), FullFitDue);
+  EXPECT_EQ(session.fit().function.normalized_weights(), before);
+  EXPECT_EQ(session.options().kernel, std::nullopt);
+  shape[5].at *= 0.9;
+  expect_as_fitted(session.update(shape), fit(shape));
+  EXPECT_EQ(session.last().full, Full::no);
+  expect_as_fitted(session.update(few), fit(few));
+  EXPECT_EQ(session.last().full, Full::few_rows);
+
+  // What was made elsewhere is a session like any other.
+  EditSession<2> other(full_fit(shape, cubic), shape);
+  EXPECT_EQ(other.options().kernel, Kernel::cubic);
+  EXPECT_EQ(other.fit().function.normalized_weights(), fit(shape, cubic).function.normalized_weights());
+  EXPECT_EQ(other.last().residual, other.fit().report.max_residual);
+  shape[7].at *= 0.9;
+  expect_as_fitted(other.update(shape), fit(shape, cubic));
+  EXPECT_EQ(other.last().full, Full::no);
+}
+
 }  // namespace
 }  // namespace seesaw
