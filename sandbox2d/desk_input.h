@@ -11,8 +11,8 @@
 
 namespace seesaw {
 
-/// `origin` is the top left corner of the scene's place in the window, logical pixels; `view` is as wide and high
-/// as that. Nothing for what a desk does not hear of: text, sizes, keys that it does not know.
+/// `origin` is the top left corner of the scene's place in the window, logical pixels; `view` is as wide and
+/// high as that. Nothing for what a desk does not hear of: text, sizes, keys that it does not know.
 std::optional<DeskEvent> desk_event(const InputEvent& input, const View2D& view, const Point<2>& origin);
 
 }  // namespace seesaw

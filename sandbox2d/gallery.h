@@ -1,6 +1,7 @@
 // The papers' 2D figures as scenes that one opens and drags, each with a sentence on what to try.
 //
-// Before it: figures/scenes. After it: a dialog; the tour; core/editing/desk.h opens a copy, which has no file.
+// Before it: figures/scenes. After it: a dialog; the tour; core/editing/desk.h opens a copy, which has no
+// file.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +28,8 @@ struct GalleryEntry {
 /// In the order of the papers.
 const std::vector<GalleryEntry>& gallery();
 
-/// PREFIX/share/seesaw/scenes if the running program is PREFIX/bin/..., else figures/scenes of the source tree.
+/// PREFIX/share/seesaw/scenes if the running program is PREFIX/bin/..., else figures/scenes of the source
+/// tree.
 std::filesystem::path scenes_folder();
 
 /// Throws FileError where the scene cannot be read.

@@ -37,9 +37,7 @@ class Overlay {
  private:
   Point<2> page(const Point<2>& p) const { return view_.page_from_scene(p); }
   Point<2> place(Index i) const { return page(desk_.constraint(i).at); }
-  bool in_sight(const Point<2>& p) const {
-    return canvas_.bounds().inset(-40 * s_).contains(p);
-  }
+  bool in_sight(const Point<2>& p) const { return canvas_.bounds().inset(-40 * s_).contains(p); }
 
   void ring(const Point<2>& at, double radius, const Color& color, double width) {
     canvas_.circle(at, radius * s_, {.color = theme::paper.with_alpha(0.85), .width = (width + 1.6) * s_});
@@ -89,8 +87,9 @@ class Overlay {
       if (!in_sight(at)) continue;
       std::string words = to_text(std::abs(weights[i]), 3);
       if (weights[i] < 0) words = "\u2212" + words;
-      canvas_.text(at + Point<2>(0, 19 * s_), words,
-                   {.size = 9 * s_, .align = Align::center, .vertical = VerticalAlign::middle, .halo = 2.5 * s_});
+      canvas_.text(
+          at + Point<2>(0, 19 * s_), words,
+          {.size = 9 * s_, .align = Align::center, .vertical = VerticalAlign::middle, .halo = 2.5 * s_});
     }
   }
 
@@ -103,7 +102,8 @@ class Overlay {
       canvas_.fill_circle(end, 4.6 * s_, theme::paper);
       canvas_.fill_circle(end, 3.4 * s_, theme::moved);
     }
-    canvas_.text(from + Point<2>(0, -9 * s_), "0", {.size = 8.5 * s_, .color = theme::moved, .align = Align::center, .halo = 2.5});
+    canvas_.text(from + Point<2>(0, -9 * s_), "0",
+                 {.size = 8.5 * s_, .color = theme::moved, .align = Align::center, .halo = 2.5});
   }
 
   void draw_selection() {

@@ -1,8 +1,8 @@
 // What is in hand, over the picture of the scene: selection, what would be grabbed, the rubber band, points
 // about to be placed, the profile line, weights, and the culprits of an impossible set.
 //
-// It changes with every move of the pointer and costs a fraction of the scene beneath, so it is a canvas of its
-// own, without a background.
+// It changes with every move of the pointer and costs a fraction of the scene beneath, so it is a canvas of
+// its own, without a background.
 //
 // Before it: core/editing/desk.h, whose view is that of the scene's picture. After it: Raster::paint_over.
 #pragma once

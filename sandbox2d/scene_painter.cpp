@@ -20,17 +20,20 @@ constexpr std::size_t seeded_draft = 300;
 }  // namespace
 
 bool SceneWish::operator==(const SceneWish& b) const {
-  return revision == b.revision && function == b.function && other == b.other && pixel_ratio == b.pixel_ratio &&
-         scale == b.scale && document.display == b.document.display && view.page.width == b.view.page.width &&
-         view.page.height == b.view.page.height && view.scale == b.view.scale &&
-         view.scene.min() == b.view.scene.min() && view.scene.max() == b.view.scene.max();
+  return revision == b.revision && function == b.function && other == b.other &&
+         pixel_ratio == b.pixel_ratio && scale == b.scale && document.display == b.document.display &&
+         view.page.width == b.view.page.width && view.page.height == b.view.page.height &&
+         view.scale == b.view.scale && view.scene.min() == b.view.scene.min() &&
+         view.scene.max() == b.view.scene.max();
 }
 
 ScenePicture paint_scene(const SceneWish& wish, const PictureDetail& detail, Raster reuse) {
   const auto start = Clock::now();
   const Rect page = wish.view.page;
   Canvas canvas(page.width, page.height);
-  ScenePicture result{.raster = std::move(reuse), .view = wish.view};
+  ScenePicture result;
+  result.raster = std::move(reuse);
+  result.view = wish.view;
   Document<2> document = wish.document;
   document.display.view = wish.view.scene;
   PictureOptions options{.symbol_size = 9 * wish.scale,
@@ -39,8 +42,9 @@ ScenePicture paint_scene(const SceneWish& wish, const PictureDetail& detail, Ras
                          .text_size = 8.5 * wish.scale,
                          .detail = detail};
   if (wish.other) {
-    const Contour other = detail.every_component ? contour(document, *wish.other, wish.view.scene)
-                                                 : contour(*wish.other, wish.view.scene, {.find_hidden = false});
+    const Contour other = detail.every_component
+                              ? contour(document, *wish.other, wish.view.scene)
+                              : contour(*wish.other, wish.view.scene, {.find_hidden = false});
     options.ghosts = other.polylines;
   }
   if (wish.function)
@@ -96,7 +100,8 @@ void ScenePainter::paint(SceneWish wish, double now, bool moving, bool wait) {
       const double sums = page.width * page.height * detail.field_samples * detail.field_samples *
                           static_cast<double>(wish.function->size());
       // Half the way to what was seen: one slow frame is no slow machine.
-      seconds_a_sum_ = std::clamp(0.5 * seconds_a_sum_ + 0.25 * draft.seconds / std::max(1.0, sums), 1e-10, 1e-6);
+      seconds_a_sum_ =
+          std::clamp(0.5 * seconds_a_sum_ + 0.25 * draft.seconds / std::max(1.0, sums), 1e-10, 1e-6);
     }
     take(std::move(draft));
     wish_ = std::move(wish);

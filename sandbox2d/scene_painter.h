@@ -1,8 +1,8 @@
 // The picture of the scene in the window: at once while something moves, as fine as in print when it rests.
 //
-// The same draw_document that makes the figures draws both. What it costs is evaluations of f: a draft takes as
-// many as fit into a few milliseconds, measured on the draft before; the fine picture, which takes as long as
-// it takes, is made by another thread while the draft is shown.
+// The same draw_document that makes the figures draws both. What it costs is evaluations of f: a draft takes
+// as many as fit into a few milliseconds, measured on the draft before; the fine picture, which takes as long
+// as it takes, is made by another thread while the draft is shown.
 //
 //     painter.paint(what, now);                      // every frame; does nothing where nothing changed
 //     texture.upload(pixels of painter.picture().raster)
@@ -61,6 +61,8 @@ class ScenePainter {
   /// Makes picture() that of `wish`, or begins to. `now` in seconds. `moving` puts the fine one off. With
   /// `wait` a fine one that is due is there on return: for scripts, whose pictures do not depend on time.
   void paint(SceneWish wish, double now, bool moving, bool wait);
+  /// Whether paint() has nothing to draw for it, its document's constraints not looked at.
+  bool shows(const SceneWish& wish) const { return wish_ && *wish_ == wish; }
   const ScenePicture& picture() const { return picture_; }
   /// Grows with every new picture.
   std::uint64_t number() const { return number_; }

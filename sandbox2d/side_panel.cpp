@@ -84,12 +84,15 @@ void SidePanel::lever(Desk& desk) {
   const std::string label = kind == ConstraintKind::interior ? "interior value" : "exterior value";
   double value = sign * size;
   const double near = sign * 0.01, far = sign * lever_reach_;
-  const ui::Edit edit = ui::slider(label, value, std::min(near, far), std::max(near, far), {.format = "%.3f"});
+  const ui::Edit edit =
+      ui::slider(label, value, std::min(near, far), std::max(near, far), {.format = "%.3f"});
   if (edit.changed && sign * value > 0) desk.slide(SetValue{which, value});
   if (edit.ended) desk.let_go();
   if (ui::last_hovered())
-    ui::tooltip(of_selection ? "f at what is selected: pull it, and the plate tips about the boundary constraints"
-                             : "f at every interior constraint: pull it, and the plate tips about the boundary constraints");
+    ui::tooltip(
+        of_selection
+            ? "f at what is selected: pull it, and the plate tips about the boundary constraints"
+            : "f at every interior constraint: pull it, and the plate tips about the boundary constraints");
 }
 
 void SidePanel::selection(Desk& desk, const std::function<void(DeskCommand)>& act) {
@@ -109,8 +112,7 @@ void SidePanel::one_constraint(Desk& desk, Index which, const std::function<void
   const Constraint<2> c = desk.constraint(which);
   int kind = static_cast<int>(c.kind);
   ui::bold_text("constraint " + std::to_string(which));
-  if (ui::choice("kind", kind, kind_names()))
-    desk.apply(SetKind{{which}, static_cast<ConstraintKind>(kind)});
+  if (ui::choice("kind", kind, kind_names())) desk.apply(SetKind{{which}, static_cast<ConstraintKind>(kind)});
   for (int axis = 0; axis < 2; ++axis) {
     Point<2> to = c.at;
     const ui::Edit edit = ui::drag_number(axis == 0 ? "x" : "y", to[axis], pixel_of(desk), "%.5g");
@@ -155,7 +157,8 @@ void SidePanel::several(Desk& desk, const std::function<void(DeskCommand)>& act)
   for (const Index i : desk.selection().indices()) ++by_kind[static_cast<int>(desk.constraint(i).kind)];
   std::string words = std::to_string(desk.selection().size()) + " selected:";
   for (int k = 0; k < 3; ++k)
-    if (by_kind[k] > 0) words += " " + std::to_string(by_kind[k]) + " " + kind_names()[static_cast<std::size_t>(k)];
+    if (by_kind[k] > 0)
+      words += " " + std::to_string(by_kind[k]) + " " + kind_names()[static_cast<std::size_t>(k)];
   ui::paragraph(words);
   if (ui::button("Delete")) act(DeskCommand::delete_selection);
   ui::same_line();
@@ -167,23 +170,28 @@ void SidePanel::several(Desk& desk, const std::function<void(DeskCommand)>& act)
 }
 
 void draw_numbers(Desk& desk, const LiveNumbers& numbers) {
-  const auto count = [&](ConstraintKind kind) { return static_cast<Index>(all_of(desk.document(), kind).size()); };
+  const auto count = [&](ConstraintKind kind) {
+    return static_cast<Index>(all_of(desk.document(), kind).size());
+  };
   Index normals = 0;
   for (const auto& each : desk.document().constraints) normals += each.constraint.normal.has_value();
-  ui::fact("boundary, normals", std::to_string(count(ConstraintKind::boundary)) + ", " + std::to_string(normals));
+  ui::fact("boundary, normals",
+           std::to_string(count(ConstraintKind::boundary)) + ", " + std::to_string(normals));
   ui::fact("interior, exterior", std::to_string(count(ConstraintKind::interior)) + ", " +
                                      std::to_string(count(ConstraintKind::exterior)));
   const Shape<2>& shape = desk.shape();
   const Contour& curve = numbers.curve;
   if (shape.function) {
     std::string pieces = std::to_string(curve.components);
-    if (curve.closed < curve.components) pieces += " (" + std::to_string(curve.components - curve.closed) + " cut)";
+    if (curve.closed < curve.components)
+      pieces += " (" + std::to_string(curve.components - curve.closed) + " cut)";
     ui::fact("components in view", pieces);
     ui::fact("area inside, in view", to_text(curve.area, 5));
     ui::fact("length of the curve", to_text(curve.length, 5));
     ui::fact("bending energy", to_text(shape.report.energy, 5));
-    ui::fact("condition", shape.report.reciprocal_condition > 0 ? to_text(1 / shape.report.reciprocal_condition, 2)
-                                                                : "infinite");
+    ui::fact("condition", shape.report.reciprocal_condition > 0
+                              ? to_text(1 / shape.report.reciprocal_condition, 2)
+                              : "infinite");
     ui::fact("largest residual", to_text(shape.report.max_residual, 2));
     if (numbers.refit_difference) ui::fact("off a fresh fit", to_text(*numbers.refit_difference, 2));
   }

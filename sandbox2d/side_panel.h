@@ -1,6 +1,6 @@
-// The panel at the right: what the constraints ask for, what the function does, what is shown. Every number is
-// live, and every number that can be typed or dragged changes the document as a hand on the canvas would, one
-// step to undo each.
+// The panel at the right: what the constraints ask for, what the function does, what is shown. Every number
+// is live, and every number that can be typed or dragged changes the document as a hand on the canvas would,
+// one step to undo each.
 //
 // Before it: a Desk, and what a frame was measured to take. After it: nothing; it acts on the desk.
 #pragma once

@@ -55,80 +55,86 @@ constexpr Index north_west = 2;  // in turk2002-fig05-left.json
 
 std::vector<TourStep> make_steps() {
   std::vector<TourStep> steps;
-  steps.push_back({.title = "Boundary and interior constraints",
-                   .words =
-                       "Each circle is a boundary constraint: f is to be 0 there, so the curve is to pass there. The "
-                       "smoothest function that is 0 at all of them is 0 everywhere, and there is no curve yet. One "
-                       "interior constraint, f = 1, says where inside is.",
-                   .task = "Press I, then click in the middle of the circles.",
-                   .scene = four_zeros,
-                   .done = [](const Document<2>&, Desk& desk) {
-                     return count(desk.document(), ConstraintKind::interior) > 0;
-                   }});
-  steps.push_back({.title = "One linear system",
-                   .words =
-                       "f is a sum of one kernel a constraint and a plane. One linear system gives its weights: the "
-                       "function that obeys and bends least. Where it is 0 is the curve; orange is inside, blue outside.",
-                   .task = "Drag a circle, or the plus sign: the system is solved anew in every frame.",
-                   .scene = [] { return of_gallery("turk2002-fig01-left.json"); },
-                   .done = [](const Document<2>& scene, Desk& desk) { return any_moved(scene, desk.document()); }});
-  steps.push_back({.title = "Exterior constraints",
-                   .words =
-                       "Exterior constraints, f = \u22121, say what is outside. A cage of them around everything "
-                       "closes whatever passes through the boundary constraints within (Turk & O\u2019Brien 2002, "
-                       "Figure 4).",
-                   .task = "Press K for a cage of eight. Then drag one of the two circles.",
-                   .scene = two_zeros,
-                   .done = [](const Document<2>&, Desk& desk) {
-                     return count(desk.document(), ConstraintKind::exterior) >= 8;
-                   }});
-  steps.push_back({.title = "Normal constraints",
-                   .words =
-                       "A normal constraint asks for a small value just inside a boundary constraint, and so says "
-                       "which way is out. It is drawn as a spike (Figure 5).",
-                   .task = "Drag the free end of the spike that is marked.",
-                   .scene = [] { return of_gallery("turk2002-fig05-left.json"); },
-                   .done =
-                       [](const Document<2>& scene, Desk& desk) {
-                         if (desk.editor().size() <= north_west) return false;
-                         const auto& before = scene.constraints[north_west].constraint.normal;
-                         const auto& now = desk.constraint(north_west).normal;
-                         return before && now && before->direction != now->direction;
-                       },
-                   .pointed = {north_west}});
-  steps.push_back({.title = "The see-saw",
-                   .words =
-                       "At the right f stands as a plate over the plane f = 0. Each boundary constraint acts much like a "
-                       "see-saw: pull the plate up on one side, and the other side goes down. That is why the curve "
-                       "closes.",
-                   .task = "Pull \u201cinterior value\u201d in the side panel up to 2, and watch the plate tip.",
-                   .scene = [] { return of_gallery("seesaw.json"); },
-                   .done =
-                       [](const Document<2>&, Desk& desk) {
-                         for (const auto& each : desk.document().constraints)
-                           if (each.constraint.kind == ConstraintKind::interior && each.constraint.value >= 1.8)
-                             return true;
-                         return false;
-                       },
-                   .plate = true,
-                   .profile = ProfileLine{{-0.3, 0.7286}, {0.63, -1.53}},
-                   .pointed = {}});
-  steps.push_back({.title = "New constraints change nothing, until they are moved",
-                   .words =
-                       "On the curve f is 0 already. A boundary constraint placed there asks for nothing new, and the "
-                       "least bent function stays what it is (section 5). So a curve is refined without being disturbed.",
-                   .task = "Double-click the curve: nothing moves. Then drag the new circle.",
-                   .scene = [] { return of_gallery("knot-insertion.json"); },
-                   .done = [](const Document<2>& scene, Desk& desk) {
-                     return count(desk.document(), ConstraintKind::boundary) > count(scene, ConstraintKind::boundary);
-                   }});
-  steps.push_back({.title = "That is all there is to it",
-                   .words =
-                       "F2 opens the papers\u2019 figures, each with something to try. F1 lists every key. Nothing can "
-                       "be broken: Ctrl+Z goes back as far as you like.",
-                   .task = "",
-                   .scene = [] { return of_gallery("turk2002-fig01-right.json"); },
-                   .done = [](const Document<2>&, Desk&) { return true; }});
+  steps.push_back(
+      {.title = "Boundary and interior constraints",
+       .words =
+           "Each circle is a boundary constraint: f is to be 0 there, so the curve is to pass there. The "
+           "smoothest function that is 0 at all of them is 0 everywhere, and there is no curve yet. One "
+           "interior constraint, f = 1, says where inside is.",
+       .task = "Press I, then click in the middle of the circles.",
+       .scene = four_zeros,
+       .done = [](const Document<2>&, Desk& desk) {
+         return count(desk.document(), ConstraintKind::interior) > 0;
+       }});
+  steps.push_back(
+      {.title = "One linear system",
+       .words =
+           "f is a sum of one kernel a constraint and a plane. One linear system gives its weights: the "
+           "function that obeys and bends least. Where it is 0 is the curve; orange is inside, blue outside.",
+       .task = "Drag a circle, or the plus sign: the system is solved anew in every frame.",
+       .scene = [] { return of_gallery("turk2002-fig01-left.json"); },
+       .done = [](const Document<2>& scene, Desk& desk) { return any_moved(scene, desk.document()); }});
+  steps.push_back(
+      {.title = "Exterior constraints",
+       .words = "Exterior constraints, f = \u22121, say what is outside. A cage of them around everything "
+                "closes whatever passes through the boundary constraints within (Turk & O\u2019Brien 2002, "
+                "Figure 4).",
+       .task = "Press K for a cage of eight. Then drag one of the two circles.",
+       .scene = two_zeros,
+       .done = [](const Document<2>&, Desk& desk) {
+         return count(desk.document(), ConstraintKind::exterior) >= 8;
+       }});
+  steps.push_back(
+      {.title = "Normal constraints",
+       .words = "A normal constraint asks for a small value just inside a boundary constraint, and so says "
+                "which way is out. It is drawn as a spike (Figure 5).",
+       .task = "Drag the free end of the spike that is marked.",
+       .scene = [] { return of_gallery("turk2002-fig05-left.json"); },
+       .done =
+           [](const Document<2>& scene, Desk& desk) {
+             if (desk.editor().size() <= north_west) return false;
+             const auto& before = scene.constraints[north_west].constraint.normal;
+             const auto& now = desk.constraint(north_west).normal;
+             return before && now && before->direction != now->direction;
+           },
+       .pointed = {north_west}});
+  steps.push_back(
+      {.title = "The see-saw",
+       .words =
+           "At the right f stands as a plate over the plane f = 0. Each boundary constraint acts much like a "
+           "see-saw: pull the plate up on one side, and the other side goes down. That is why the curve "
+           "closes.",
+       .task = "Pull \u201cinterior value\u201d in the side panel up to 2, and watch the plate tip.",
+       .scene = [] { return of_gallery("seesaw.json"); },
+       .done =
+           [](const Document<2>&, Desk& desk) {
+             for (const auto& each : desk.document().constraints)
+               if (each.constraint.kind == ConstraintKind::interior && each.constraint.value >= 1.8)
+                 return true;
+             return false;
+           },
+       .plate = true,
+       .profile = ProfileLine{{-0.3, 0.7286}, {0.63, -1.53}},
+       .pointed = {}});
+  steps.push_back(
+      {.title = "New constraints change nothing, until they are moved",
+       .words =
+           "On the curve f is 0 already. A boundary constraint placed there asks for nothing new, and the "
+           "least bent function stays what it is (section 5). So a curve is refined without being disturbed.",
+       .task = "Double-click the curve: nothing moves. Then drag the new circle.",
+       .scene = [] { return of_gallery("knot-insertion.json"); },
+       .done =
+           [](const Document<2>& scene, Desk& desk) {
+             return count(desk.document(), ConstraintKind::boundary) > count(scene, ConstraintKind::boundary);
+           }});
+  steps.push_back(
+      {.title = "That is all there is to it",
+       .words =
+           "F2 opens the papers\u2019 figures, each with something to try. F1 lists every key. Nothing can "
+           "be broken: Ctrl+Z goes back as far as you like.",
+       .task = "",
+       .scene = [] { return of_gallery("turk2002-fig01-right.json"); },
+       .done = [](const Document<2>&, Desk&) { return true; }});
   return steps;
 }
 
@@ -167,16 +173,15 @@ Tour::Wish Tour::frame(const Rect& scene) {
   const int steps = static_cast<int>(tour_steps().size());
   const double s = ui::scale(), margin = 14 * s;
   const double width = std::min(420 * s, scene.width - 2 * margin), height = 236 * s;
-  const auto panel = ui::panel("Tour", {scene.left() + margin, scene.bottom() - height - margin, width, height},
-                               {.title = false});
+  const auto panel = ui::panel(
+      "Tour", {scene.left() + margin, scene.bottom() - height - margin, width, height}, {.title = false});
   if (!panel) return Wish::none;
   ui::soft_text("Tour, " + std::to_string(step_ + 1) + " of " + std::to_string(steps));
   ui::bold_text(step.title);
   ui::paragraph(step.words);
   if (*step.task) {
     ui::gap(2 * s);
-    ui::colored_text(done_ ? "\u2713 Done. Go on, or play with it." : step.task,
-                          ui::colors().accent);
+    ui::colored_text(done_ ? "\u2713 Done. Go on, or play with it." : step.task, ui::colors().accent);
   }
   Wish wish = Wish::none;
   const double line = ui::line_height();

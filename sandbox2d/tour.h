@@ -1,7 +1,8 @@
-// A short guided tour: the three kinds of constraints, normals, the see-saw, and new constraints on the curve.
+// A short guided tour: the three kinds of constraints, normals, the see-saw, and new constraints on the
+// curve.
 //
-// Each step sets up a scene, says what is so and why, and asks for one thing to be done; it sees when that has
-// been done, on the document, however it was done. One can go on and back at any time.
+// Each step sets up a scene, says what is so and why, and asks for one thing to be done; it sees when that
+// has been done, on the document, however it was done. One can go on and back at any time.
 //
 // Before it: F3. After it: the desk has the step's scene; a panel over the scene has its words.
 #pragma once

@@ -189,8 +189,8 @@ void Desk::select(const std::vector<Index>& indices) {
 
 void Desk::say(std::string text, bool trouble) { message_ = {std::move(text), trouble, message_.number + 1}; }
 
-const Interpolant<2>* Desk::other() {
-  if (!other_kernel_ || *other_kernel_ == document().kernel) return comparing_ ? before_.get() : nullptr;
+std::shared_ptr<const Interpolant<2>> Desk::other() {
+  if (!other_kernel_ || *other_kernel_ == document().kernel) return comparing_ ? before_ : nullptr;
   if (other_revision_ != revision()) {
     Document<2> same = document();
     same.kernel = *other_kernel_;
@@ -201,7 +201,7 @@ const Interpolant<2>* Desk::other() {
     other_pending_ = shape.pending;
     other_revision_ = revision();
   }
-  return other_.get();
+  return other_;
 }
 
 std::string Desk::other_name() const {

@@ -120,6 +120,8 @@ class Desk {
   std::optional<Point<2>> cursor() const;
   /// What is being dragged, if anything.
   Gesture gesture() const { return hand_ ? hand_->gesture : Gesture::none; }
+  /// A slider or a held key is changing the document.
+  bool sliding() const { return open_ != Open::none; }
   std::optional<Box<2>> band() const;
   /// Where constraints will stand when the line or circle is let go, 2 x N.
   Points<2> preview() const;
@@ -142,7 +144,7 @@ class Desk {
 
   /// The shape to compare with: that of "before", or of another kernel. Null for none. Lives until something
   /// is done.
-  const Interpolant<2>* other();
+  std::shared_ptr<const Interpolant<2>> other();
   /// True where other() is that of an earlier revision, or null, because its solver is still at work.
   bool other_pending() const { return other_pending_; }
   /// "before", or the kernel's name; empty for none.
@@ -165,6 +167,9 @@ class Desk {
   bool save(const std::filesystem::path& path);
   /// An empty one, or a figure from the gallery, which has no file to be saved to.
   void start(Document<2> document = {});
+  /// As start(), but as one step to undo: a person who goes from figure to figure loses nothing. For a document
+  /// without a file. What was saved counts as saved.
+  void exchange(Document<2> document);
   /// One that was saved after a crash, and is still to be saved to `path`.
   void recover(Document<2> document, const std::filesystem::path& path);
 

@@ -79,6 +79,23 @@ bool Desk::save(const std::filesystem::path& path) {
 
 void Desk::start(Document<2> document) { replace(Editor<2>(std::move(document), options_.editor), {}, true); }
 
+void Desk::exchange(Document<2> document) {
+  let_go();
+  const bool was_saved = !unsaved();
+  const Display<2> display = document.display;
+  if (!did(Restore<2>{std::move(document)})) return;
+  selection_.clear();
+  profile_.reset();
+  comparing_ = false;
+  other_kernel_.reset();
+  display_ = display;
+  if (was_saved) {
+    saved_state_ = editor_.state();
+    saved_display_ = display_;
+  }
+  show_as_saved();
+}
+
 void Desk::recover(Document<2> document, const std::filesystem::path& path) {
   replace(Editor<2>(std::move(document), options_.editor), path, false);
   say("recovered; it is not saved yet");

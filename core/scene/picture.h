@@ -32,8 +32,8 @@ Fit<Dim> fit(const Document<Dim>& document) {
 Contour contour(const Document<2>& document, const Field<2>& field, const Box<2>& box,
                 const ContourOptions& options = {});
 
-/// How finely a picture is computed. The defaults are a printed page's; an editor that draws thirty pictures a
-/// second makes do with less while something moves.
+/// How finely a picture is computed. The defaults are a printed page's; an editor that draws thirty pictures
+/// a second makes do with less while something moves.
 struct PictureDetail {
   int curve_cells = 128;        ///< ContourOptions::cells of the curve
   int isoline_cells = 96;       ///< of isolines

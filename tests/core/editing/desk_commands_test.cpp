@@ -185,12 +185,12 @@ TEST_F(DeskTest, BeforeAndAfterAndAnotherKernel) {
     hand.key(K::m);
     hand.key(K::o);
   });
-  EXPECT_EQ(desk.other(), desk.shape().function.get());
+  EXPECT_EQ(desk.other(), desk.shape().function);
   EXPECT_EQ(desk.other_name(), "before");
-  const Interpolant<2>* before = desk.other();
+  const std::shared_ptr<const Interpolant<2>> before = desk.other();
   hand.drag(place(4), {0.2, 0.1});
   EXPECT_EQ(desk.other(), before);
-  EXPECT_NE(desk.other(), desk.shape().function.get());
+  EXPECT_NE(desk.other(), desk.shape().function);
   hand.key(K::o);
   EXPECT_EQ(desk.other(), nullptr);
   std::vector<std::string> names;

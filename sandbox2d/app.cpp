@@ -1,0 +1,364 @@
+#include "sandbox2d/app.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/window/ui.h"
+#include "sandbox2d/desk_input.h"
+#include "sandbox2d/overlay.h"
+
+namespace seesaw {
+
+namespace {
+
+// How long a message stays before the tool's hint is back, seconds.
+constexpr double message_stays = 6;
+
+Pixels pixels_of(const Raster& raster) {
+  return {raster.data(), raster.width(), raster.height(), raster.stride(), PixelOrder::bgra};
+}
+
+DeskOptions desk_options(Window& window, const BackgroundSolver<2>& solver,
+                         const BackgroundSolver<2>& other) {
+  DeskOptions options;
+  options.editor.solver = solver;
+  options.editor.solve_at_once = false;
+  options.other_solver = other;
+  options.clipboard.get = [&window] { return window.clipboard(); };
+  options.clipboard.set = [&window](const std::string& text) { window.set_clipboard(text); };
+  return options;
+}
+
+std::filesystem::path in_state(const std::filesystem::path& state, const char* name) {
+  return state.empty() ? std::filesystem::path() : state / name;
+}
+
+// The plate stands on the largest square in the middle of what is seen.
+Box<2> square_within(const Box<2>& seen) {
+  const double half = 0.5 * seen.sizes().minCoeff();
+  return {seen.center() - Point<2>(half, half), seen.center() + Point<2>(half, half)};
+}
+
+}  // namespace
+
+App::App(Window& window, const AppOptions& options)
+    : window_(window),
+      solver_({.arrived = [&window] { window.wake(); }}),
+      other_solver_({.arrived = [&window] { window.wake(); }}),
+      desk_({}, desk_options(window, solver_, other_solver_)),
+      painter_([&window] { window.wake(); }),
+      settings_(in_state(options.state, "sandbox2d.settings")),
+      recent_(in_state(options.state, "sandbox2d.recent")),
+      autosave_(in_state(options.state, "autosave")),
+      autosave_folder_(in_state(options.state, "autosave")) {
+  panels_ = settings_.settings().shows("panels");
+  shown_.plate = options.plate.value_or(settings_.settings().shows("plate", false));
+  shown_.weights = settings_.settings().shows("weights", false);
+  place_everything();
+  if (!options.file.empty())
+    open(options.file);
+  else
+    show_entry(gallery().front());
+  if (!autosave_folder_.empty()) offer_recovered();
+  if (options.offer_tour && options.file.empty() && !settings_.settings().tour_seen && !questions_.open())
+    questions_.ask(
+        {"Welcome to Seesaw",
+         "You say where a curve passes and which way is in; one linear system gives the smoothest "
+         "function that obeys, and its zero set is the curve.\nA short tour shows the three kinds of "
+         "constraints and the see-saw, in a few minutes. F3 starts it at any time.",
+         {{"Take the tour", [this] { act(DeskCommand::tour); }}, {"Look around myself", {}}}});
+}
+
+App::~App() {
+  // What is left unsaved on purpose, or saved, needs no copy.
+  if (done_) autosave_.clear();
+}
+
+void App::handle(const Input& input) {
+  changed_ = true;
+  if (const auto* dropped = std::get_if<FileDropped>(&input.event)) {
+    const auto path = dropped->path;
+    return when_kept([this, path] { open(path); });
+  }
+  if (std::holds_alternative<CloseAsked>(input.event)) return act(DeskCommand::quit);
+  if (const auto* moved = std::get_if<MouseMoved>(&input.event)) {
+    pointer_in_scene_ = !input.for_ui && layout_.scene.contains(moved->at);
+    shift_ = moved->modifiers.shift;
+  }
+  if (std::holds_alternative<MouseLeft>(input.event)) pointer_in_scene_ = false;
+  if (input.for_ui) {
+    // A key that is held when a panel takes over must not stay down for the desk.
+    if (!std::holds_alternative<KeyReleased>(input.event)) return;
+  }
+  const auto event = desk_event(input.event, desk_.view(), {layout_.scene.left(), layout_.scene.top()});
+  if (!event) return;
+  // Presses between the panels, on their rims, are nobody's.
+  if (const auto* down = std::get_if<MousePressed>(&input.event))
+    if (!layout_.scene.contains(down->at)) return;
+  if (const auto* wheel = std::get_if<WheelMoved>(&input.event))
+    if (!layout_.scene.contains(wheel->at)) return;
+  act_on(desk_.handle(*event));
+}
+
+void App::place_everything() {
+  layout_ = layout_of({.width = static_cast<double>(window_.width()),
+                       .height = static_cast<double>(window_.height()),
+                       .menu = ui::menu_height(),
+                       .scale = window_.scale(),
+                       .panels = panels_,
+                       .plate = shown_.plate,
+                       .profile = desk_.profile().has_value()});
+  const bool resized =
+      desk_.view().width() != layout_.scene.width || desk_.view().height() != layout_.scene.height;
+  if (!resized) return;
+  // A figure that was just as the document has it stays so when panels come and go.
+  const bool as_saved = shows_as_saved();
+  desk_.view().resize(layout_.scene.width, layout_.scene.height);
+  if (as_saved) desk_.show_as_saved();
+}
+
+bool App::shows_as_saved() const {
+  if (!desk_.display().view) return false;
+  View2D saved = desk_.view();
+  saved.show(*desk_.display().view);
+  return saved == desk_.view();
+}
+
+void App::frame() {
+  const double s = window_.scale();
+  desk_.set_scale(s);
+  if (scripted() && (solver_.busy() || other_solver_.busy())) {
+    solver_.wait();
+    other_solver_.wait();
+    desk_.solve_again();
+  }
+  const bool news = solver_.poll(), other_news = other_solver_.poll();
+  if (news || other_news) desk_.solve_again();
+  place_everything();
+
+  const auto do_it = [this](DeskCommand command) { act(command); };
+  draw_menu_bar(desk_,
+                {.recent = recent_,
+                 .shown = shown_,
+                 .panels = panels_,
+                 .dark = window_.dark(),
+                 .full_screen = window_.full_screen()},
+                {.act = do_it, .open = [this](const std::filesystem::path& path) {
+                   when_kept([this, path] { open(path); });
+                 }});
+  if (layout_.tools.width > 0) draw_tools(layout_.tools, desk_, do_it);
+  if (layout_.side.width > 0) {
+    const Shape<2>& shape = desk_.shape();
+    side_panel_.draw(layout_.side, desk_, shown_,
+                     {.curve = painter_.picture().curve,
+                      .solve_seconds = shape.report.seconds,
+                      .draw_seconds = painter_.picture().seconds,
+                      .refit_difference = solver_.last_difference(),
+                      .solving = shape.pending},
+                     do_it);
+  }
+  tour_.watch(desk_);
+  switch (tour_.frame(layout_.scene)) {
+    case Tour::Wish::back:
+      tour_to(tour_.step() - 1);
+      break;
+    case Tour::Wish::next:
+      tour_to(tour_.step() + 1);
+      break;
+    case Tour::Wish::stop:
+      tour_.stop();
+      break;
+    case Tour::Wish::none:
+      break;
+  }
+  help_.frame(window_.width(), window_.height());
+  values_.frame(desk_);
+  gallery_.frame(window_.width(), window_.height(), window_.pixel_ratio(), window_.dark());
+  files_.frame();
+  questions_.frame();
+
+  place_everything();
+  draw_scene();
+  draw_beside();
+  draw_status();
+  look_after_settings();
+  look_after_autosave();
+  const std::string title = desk_.name() + " \u2013 Seesaw";
+  if (title != title_) window_.set_title(title_ = title);
+  changed_ = false;
+}
+
+bool App::settled() const {
+  return painter_.picture().fine && !solver_.busy() && !other_solver_.busy() &&
+         (!shown_.plate || layout_.plate.width == 0 || plate_.settled());
+}
+
+void App::draw_scene() {
+  const Rect place = layout_.scene;
+  const Shape<2>& shape = desk_.shape();
+  SceneWish wish;
+  wish.revision = desk_.revision();
+  wish.function = shape.function;
+  wish.other = desk_.other();
+  wish.view = desk_.view().plan();
+  wish.pixel_ratio = window_.pixel_ratio();
+  wish.scale = window_.scale();
+  wish.document.display = desk_.display();
+  if (!painter_.shows(wish)) wish.document = desk_.to_save();
+  const bool moving = desk_.gesture() != Gesture::none || desk_.sliding();
+  painter_.paint(std::move(wish), window_.clock().time(), moving, scripted());
+  if (painter_.busy()) window_.stay_awake();
+
+  const SceneLook look{painter_.number(), window_.scale(), window_.dark(), shown_.weights, pointer_in_scene_};
+  if (changed_ || !(look == look_)) {
+    look_ = look;
+    Canvas over(place.width, place.height, Color{0, 0, 0, 0});
+    draw_overlay(over, desk_,
+                 {.weights = shown_.weights,
+                  .scale = window_.scale(),
+                  .pointer_here = pointer_in_scene_,
+                  .pointed = tour_.pointed()});
+    shown_raster_.copy(painter_.picture().raster);
+    shown_raster_.paint_over(over);
+    if (window_.dark()) shown_raster_.negative(window_.colors().background);
+    if (!shown_raster_.empty()) scene_texture_.upload(pixels_of(shown_raster_));
+  }
+  ui::background(scene_texture_, place);
+  if (pointer_in_scene_ && !ui::any_dialog()) {
+    const Over over = desk_.hover().over;
+    if (desk_.tool() == Tool::pan || desk_.gesture() == Gesture::pan)
+      ui::pointer(ui::Pointer::move);
+    else if (over == Over::constraint || over == Over::spike || over == Over::profile_start ||
+             over == Over::profile_end)
+      ui::pointer(ui::Pointer::hand);
+  }
+}
+
+void App::draw_beside() {
+  const double s = window_.scale(), ratio = window_.pixel_ratio();
+  const Shape<2>& shape = desk_.shape();
+  const auto pixels = [&](double length) {
+    return std::max(1, static_cast<int>(std::lround(length * ratio)));
+  };
+  const bool moving = desk_.gesture() != Gesture::none || desk_.sliding();
+  if (layout_.plate.width > 0) {
+    const auto panel = ui::panel("See-saw", layout_.plate, {.title = false, .padded = false});
+    if (panel) {
+      if (shape.function) {
+        // A plate of so many kernels is as fine as a frame allows.
+        const double most = std::sqrt(4e6 / static_cast<double>(std::max<Index>(1, shape.function->size())));
+        const int cells = std::clamp(static_cast<int>(most), 16, moving ? 56 : 96);
+        plate_.show(*shape.function, desk_.document(), square_within(desk_.view().scene()), desk_.profile(),
+                    cells, 2 * desk_.revision() + (shape.pending ? 1 : 0));
+      } else {
+        plate_.clear();
+      }
+      const Texture& picture =
+          plate_.draw(pixels(layout_.plate.width), pixels(layout_.plate.height), ui::colors(), ratio * s);
+      plate_.use(ui::picture("Plate", picture, layout_.plate.width, layout_.plate.height), shift_);
+      if (!plate_.settled()) window_.stay_awake();
+    }
+  }
+  if (layout_.profile.width > 0 && desk_.profile()) {
+    const auto panel = ui::panel("Profile", layout_.profile, {.title = false, .padded = false});
+    if (panel) {
+      Canvas chart(layout_.profile.width, layout_.profile.height, ui::colors().background);
+      if (shape.function) {
+        const auto other = desk_.other();
+        const ProfileData data = profile_of(*shape.function, *desk_.profile(), desk_.document(), other.get(),
+                                            0.02 * desk_.view().scene().sizes().maxCoeff());
+        if (!(profile_line_ == desk_.profile()) && !moving) profile_range_.reset();
+        if (!moving) profile_line_ = desk_.profile();
+        profile_range_.include(data);
+        draw_profile(chart, chart.bounds().inset(6 * s), data, profile_range_,
+                     {.text_size = 11 * s, .colors = ui::colors()});
+      }
+      chart_raster_.paint(chart, ratio);
+      chart_texture_.upload(pixels_of(chart_raster_));
+      ui::picture("Chart", chart_texture_, layout_.profile.width, layout_.profile.height);
+    }
+  }
+}
+
+void App::draw_status() {
+  const auto panel = ui::panel("Status", layout_.status, {.title = false});
+  if (!panel) return;
+  const double now = window_.clock().time();
+  const DeskMessage& message = desk_.message();
+  if (message.number != message_seen_) {
+    message_seen_ = message.number;
+    message_since_ = now;
+  }
+  const Shape<2>& shape = desk_.shape();
+  const auto reading = [&]() -> std::string {
+    const auto cursor = desk_.cursor();
+    if (!cursor || !pointer_in_scene_) return "";
+    std::string words = "x " + to_text(cursor->x(), 4) + "   y " + to_text(cursor->y(), 4);
+    if (shape.function) words += "   f " + to_text(shape.function->value(*cursor), 3);
+    return words;
+  }();
+  const double room = ui::width_left() - ui::text_width(reading) - 24 * window_.scale();
+  const UiColors colors = ui::colors();
+  std::string words;
+  Color color = colors.soft_ink;
+  const bool fresh = message.number > 0 && !message.text.empty() && now - message_since_ < message_stays;
+  if (shape.impossible) {
+    words =
+        shape.impossible->message + (shape.function ? "; the curve is the last one that could be had" : "");
+    color = colors.warning;
+  } else if (fresh) {
+    words = message.text;
+    color = message.trouble ? colors.warning : colors.ink;
+  } else if (shape.pending) {
+    words = "solving " + std::to_string(desk_.editor().size()) + " constraints\u2026";
+    color = colors.accent;
+  } else {
+    words = tool_infos()[static_cast<std::size_t>(desk_.tool())].hint;
+  }
+  if (desk_.recording()) {
+    ui::colored_text("\u25cf recording", colors.warning);
+    ui::same_line();
+  }
+  const std::string shown = ui::shortened(words, room);
+  ui::colored_text(shown, color);
+  if (shown != words && ui::last_hovered()) ui::tooltip(words);
+  if (!reading.empty()) {
+    ui::same_line();
+    ui::flush_right(ui::text_width(reading));
+    ui::soft_text(reading);
+  }
+  // So that it goes when its time is over.
+  if (fresh && now - message_since_ > message_stays - 0.5) window_.stay_awake();
+}
+
+void App::look_after_settings() {
+  Settings settings = settings_.settings();
+  settings.scale = window_.scale();
+  settings.dark = window_.dark();
+  if (!window_.full_screen()) {
+    settings.window_width = window_.width();
+    settings.window_height = window_.height();
+  }
+  settings.tour_seen = settings.tour_seen || tour_seen_;
+  if (!files_.folder().empty()) settings.last_folder = files_.folder();
+  settings.panels["panels"] = panels_;
+  settings.panels["plate"] = shown_.plate;
+  settings.panels["weights"] = shown_.weights;
+  settings_.keep(settings);
+}
+
+void App::look_after_autosave() {
+  if (autosave_folder_.empty()) return;
+  autosave_.tick(desk_.unsaved(), desk_.revision(), window_.clock().time(), [this] {
+    return Keepsake{AnyDocument(desk_.to_save()), desk_.path()};
+  });
+  if (discard_when_saved_ && !desk_.unsaved()) {
+    discard(*discard_when_saved_);
+    discard_when_saved_.reset();
+  }
+  const std::string trouble = autosave_.trouble();
+  if (!trouble.empty()) desk_.say(trouble, true);
+}
+
+}  // namespace seesaw

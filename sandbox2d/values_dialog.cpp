@@ -1,0 +1,99 @@
+#include "sandbox2d/values_dialog.h"
+
+#include <cmath>
+
+#include "core/window/ui.h"
+
+namespace seesaw {
+
+namespace {
+
+constexpr const char* values_title = "Numbers of a constraint";
+constexpr double radians_a_degree = M_PI / 180;
+
+}  // namespace
+
+void ValuesDialog::ask(Desk& desk) {
+  if (desk.selection().empty()) return desk.say("select a constraint to type its numbers");
+  desk.let_go();
+  which_ = desk.selection().indices().front();
+  read(desk);
+  fresh_ = true;
+  ui::open_dialog(values_title);
+}
+
+void ValuesDialog::read(const Desk& desk) {
+  c_ = desk.constraint(which_);
+  has_normal_ = c_.normal.has_value();
+  normal_ = c_.normal.value_or(NormalConstraint<2>{});
+  degrees_ = std::atan2(normal_.direction.y(), normal_.direction.x()) / radians_a_degree;
+  trouble_.clear();
+}
+
+// As one step to undo; where a part is refused nothing is done, and the words stay.
+bool ValuesDialog::write(Desk& desk) {
+  const Constraint<2> before = desk.constraint(which_);
+  const auto number = desk.message().number;
+  bool good = desk.slide(MoveTo<2>{which_, c_.at});
+  if (good && c_.kind != before.kind)
+    good = desk.slide(SetKind{
+        {which_}, c_.kind, c_.kind == ConstraintKind::boundary ? std::nullopt : std::optional(c_.value)});
+  else if (good && c_.kind != ConstraintKind::boundary)
+    good = desk.slide(SetValue{{which_}, c_.value});
+  if (good && c_.kind == ConstraintKind::boundary) {
+    if (has_normal_) {
+      normal_.direction = {std::cos(degrees_ * radians_a_degree), std::sin(degrees_ * radians_a_degree)};
+      // The direction that was there, to the bit, where its angle was not typed anew.
+      if (before.normal) {
+        const Point<2>& old = before.normal->direction;
+        if (std::atan2(old.y(), old.x()) / radians_a_degree == degrees_) normal_.direction = old;
+      }
+      good = desk.slide(SetNormal<2>{which_, normal_});
+    } else if (before.normal) {
+      good = desk.slide(RemoveNormal{{which_}});
+    }
+  }
+  if (good)
+    desk.let_go();
+  else
+    desk.cancel();
+  if (!good) trouble_ = desk.message().number != number ? desk.message().text : "that is not possible";
+  return good;
+}
+
+void ValuesDialog::frame(Desk& desk) {
+  const double s = ui::scale();
+  const auto dialog = ui::dialog(values_title, 420 * s);
+  if (!dialog) return;
+  if (which_ < 0 || which_ >= desk.editor().size()) return ui::close_dialog();
+  const auto width = ui::item_width(200 * s);
+  ui::soft_text("constraint " + std::to_string(which_));
+  if (fresh_) ui::focus_next();
+  fresh_ = false;
+  ui::number("x", c_.at.x(), 0, "%.17g");
+  ui::number("y", c_.at.y(), 0, "%.17g");
+  int kind = static_cast<int>(c_.kind);
+  if (ui::choice("kind##typed", kind, {"boundary", "interior", "exterior"})) {
+    c_.kind = static_cast<ConstraintKind>(kind);
+    c_.value = kind == 0   ? 0
+               : kind == 1 ? std::abs(c_.value == 0 ? 1 : c_.value)
+                           : -std::abs(c_.value == 0 ? 1 : c_.value);
+  }
+  if (c_.kind != ConstraintKind::boundary) {
+    ui::number("value", c_.value, 0, "%.17g");
+  } else {
+    ui::checkbox("has a normal", has_normal_);
+    if (has_normal_) {
+      ui::number("direction, degrees", degrees_, 0, "%.10g");
+      ui::number("offset", normal_.offset, 0, "%.17g");
+      ui::number("value there", normal_.value, 0, "%.17g");
+    }
+  }
+  if (!trouble_.empty()) ui::colored_text(trouble_, ui::colors().warning);
+  ui::gap(4 * s);
+  if (ui::main_button("Apply") && write(desk)) ui::close_dialog();
+  ui::same_line();
+  if (ui::button("Cancel")) ui::close_dialog();
+}
+
+}  // namespace seesaw
