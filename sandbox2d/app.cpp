@@ -108,7 +108,8 @@ void App::place_everything() {
                        .scale = window_.scale(),
                        .panels = panels_,
                        .plate = shown_.plate,
-                       .profile = desk_.profile().has_value()});
+                       .profile = desk_.profile().has_value(),
+                       .tour = tour_.running()});
   const bool resized =
       desk_.view().width() != layout_.scene.width || desk_.view().height() != layout_.scene.height;
   if (!resized) return;
@@ -153,13 +154,13 @@ void App::frame() {
     side_panel_.draw(layout_.side, desk_, shown_,
                      {.curve = painter_.picture().curve,
                       .solve_seconds = shape.report.seconds,
-                      .draw_seconds = painter_.picture().seconds,
+                      .draw_seconds = painter_.draft_seconds(),
                       .refit_difference = solver_.last_difference(),
                       .solving = shape.pending},
                      do_it);
   }
   tour_.watch(desk_);
-  switch (tour_.frame(layout_.scene)) {
+  switch (tour_.frame(layout_.tour)) {
     case Tour::Wish::back:
       tour_to(tour_.step() - 1);
       break;
@@ -282,7 +283,7 @@ void App::draw_beside() {
 }
 
 void App::draw_status() {
-  const auto panel = ui::panel("Status", layout_.status, {.title = false});
+  const auto panel = ui::panel("Status", layout_.status, {.title = false, .scrolls = false});
   if (!panel) return;
   const double now = window_.clock().time();
   const DeskMessage& message = desk_.message();

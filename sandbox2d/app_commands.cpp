@@ -135,6 +135,7 @@ void App::tour_to(int step) {
     const TourStep& now = tour_steps()[static_cast<std::size_t>(tour_.step())];
     shown_.plate = now.plate;
     if (now.plate) panels_ = true;  // the lever is there
+    desk_.say("");
     new_document_shown();
   } catch (const Error& error) {
     desk_.say(error.what(), true);

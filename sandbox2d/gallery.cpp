@@ -70,25 +70,25 @@ const std::vector<GalleryEntry>& gallery() {
        "Drag the red spike back, and compare: M remembers, O shows what was remembered.",
        false,
        {}},
-      {"seesaw.json", "The see-saw (section 4.1)",
+      {"seesaw.json", "The see-saw",
        "Each boundary constraint acts much like a see-saw: pull up on one side, and the other side goes "
        "down.",
        "Pull the interior value up with the slider and watch the plate tip about the red circle.", true,
        ProfileLine{{-0.3, 0.7286}, {0.63, -1.53}}},
       {"knot-insertion.json",
-       "New constraints on the curve (section 5)",
+       "New constraints",
        "A boundary constraint that is placed on the curve changes it nowhere.",
        "Double-click the curve: nothing moves. Then drag the new constraint.",
        false,
        {}},
       {"height-field.json",
-       "What a height field cannot do (section 8.1)",
+       "Not a height field",
        "Eight points of a circle that no height field can close, and one interior constraint that does.",
        "Delete the interior constraint: no inside, no curve. Undo.",
        true,
        {}},
       {"kernels-2d.json",
-       "Three kernels (section 3)",
+       "Three kernels",
        "The same constraints under r\u00b2 log r, r\u00b3 and r: the smoother the kernel, the rounder the "
        "curve.",
        "Press Shift+O to lay another kernel's curve over this one.",
@@ -140,8 +140,8 @@ void GalleryDialog::frame(double width, double height, double pixel_ratio, bool 
   ui::soft_text("Each opens as a copy that you can drag, change and save under a name of its own.");
   {
     const auto area = ui::scroll_area("figures", 0, std::min(height - 190 * s, 640 * s));
-    std::vector<std::string> heads(static_cast<std::size_t>(columns), "");
-    const auto table = ui::table("gallery", heads);
+    const auto n = static_cast<std::size_t>(columns);
+    const auto table = ui::table("gallery", std::vector<std::string>(n, ""), false, std::vector<double>(n, 1));
     for (std::size_t i = 0; table && i < gallery().size(); ++i) {
       const GalleryEntry& entry = gallery()[i];
       ui::next_cell();

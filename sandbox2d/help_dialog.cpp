@@ -32,7 +32,7 @@ void HelpDialog::frame(double width, double height) {
       const std::string section = lines[i].section;
       ui::bold_text(section);
       {
-        const auto table = ui::table(section, {"", ""}, true);
+        const auto table = ui::table(section, {"", ""}, true, {1, 2});
         for (; i < lines.size() && lines[i].section == section; ++i) {
           if (!table) continue;
           ui::next_cell();

@@ -8,7 +8,7 @@ namespace seesaw {
 Layout layout_of(const LayoutWish& wish) {
   Layout layout;
   const double s = wish.scale, top = std::ceil(wish.menu), status = std::round(30 * s);
-  const double height = std::max(1.0, wish.height - top - status);
+  double height = std::max(1.0, wish.height - top - status);
   layout.status = {0, top + height, wish.width, status};
   const double least = std::max(1.0, 0.2 * wish.width);
   double left = 0, right = wish.width;
@@ -20,6 +20,11 @@ Layout layout_of(const LayoutWish& wish) {
   if (wish.panels && room(std::round(292 * s))) {
     layout.side = {right - std::round(292 * s), top, std::round(292 * s), height};
     right = layout.side.x;
+  }
+  if (wish.tour) {
+    const double words = std::min(std::round(178 * s), 0.5 * height);
+    height -= words;
+    layout.tour = {left, top + height, right - left, words};
   }
   const bool beside = wish.plate || wish.profile;
   const double half = std::round(0.46 * (right - left));

@@ -3,6 +3,7 @@
 //     menu bar
 //     tools | scene                  | plate   | side
 //           |                        | profile |
+//           | tour                             |
 //     status
 //
 // Before it: the window's size, and what is shown. After it: app.h.
@@ -19,11 +20,12 @@ struct LayoutWish {
   bool panels = true;                 ///< tools and side
   bool plate = false;
   bool profile = false;  ///< the chart of the profile line
+  bool tour = false;
 };
 
 /// A Rect without width is not shown.
 struct Layout {
-  Rect tools, scene, plate, profile, side, status;
+  Rect tools, scene, plate, profile, tour, side, status;
 };
 
 /// The scene is never narrower than a fifth of the window: what does not fit beside it is left out, the

@@ -5,8 +5,12 @@
 //     sandbox2d --script tour.script --screenshot tour.png   without a screen: a written-down hand, then a
 //     picture
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <iostream>
+#include <sstream>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/image/png.h"
@@ -18,8 +22,19 @@ namespace {
 struct Arguments {
   std::string file, script, screenshot, size, state;
   double scale = 0;
-  bool dark = false, light = false, plate = false;
+  bool dark = false, light = false, plate = false, times = false;
 };
+
+// What frames took, as JSON: for the benchmark, and for who wonders why it is slow.
+void print_times(std::vector<double> seconds) {
+  if (seconds.empty()) return;
+  std::sort(seconds.begin(), seconds.end());
+  const auto at = [&](double part) {
+    return 1e3 * seconds[static_cast<std::size_t>(part * static_cast<double>(seconds.size() - 1))];
+  };
+  std::cout << "{\"frames\": " << seconds.size() << ", \"median_ms\": " << at(0.5) << ", \"p90_ms\": " << at(0.9)
+            << ", \"longest_ms\": " << at(1) << "}\n";
+}
 
 void run(const Arguments& arguments) {
   const bool scripted = !arguments.script.empty() || !arguments.screenshot.empty();
@@ -57,10 +72,14 @@ void run(const Arguments& arguments) {
     for (const Input& input : window.begin_frame()) app.handle(input);
     app.frame();
   };
+  std::vector<double> times;
   while (!app.done() && !(scripted && (arguments.script.empty() || window.script_over()))) {
+    const auto start = std::chrono::steady_clock::now();
     step();
     window.end_frame();
+    times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
+  if (arguments.times) print_times(std::move(times));
   if (arguments.screenshot.empty()) return;
   for (int frames = 0; frames < 600 && (frames < 3 || !app.settled()); ++frames) {
     step();
@@ -87,6 +106,7 @@ int main(int argc, char** argv) {
   app.add_flag("--dark", arguments.dark, "dark instead of light");
   app.add_flag("--light", arguments.light, "light instead of dark");
   app.add_flag("--plate", arguments.plate, "with the see-saw view");
+  app.add_flag("--times", arguments.times, "at the end print what frames took, as JSON");
   app.add_option("--state", arguments.state, "folder for settings, recent files and autosaves");
   try {
     app.parse(argc, argv);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/editing/curve_foot.h"
@@ -14,6 +15,12 @@ namespace seesaw {
 namespace {
 
 const Color selected = theme::series[0];
+
+Symbol symbol_of(ConstraintKind kind) {
+  return kind == ConstraintKind::boundary   ? Symbol::circle
+         : kind == ConstraintKind::interior ? Symbol::plus
+                                            : Symbol::minus;
+}
 
 class Overlay {
  public:
@@ -67,30 +74,40 @@ class Overlay {
         canvas_.fill_circle(page({x * step, y * step}), 0.9 * s_, theme::soft_ink.with_alpha(0.45));
   }
 
-  // The area of a disc is the size of the weight: orange pulls f up, blue pulls it down.
+  // The area of a disc is the size of the weight: orange pulls f up, blue pulls it down. A normal constraint
+  // stands so near its boundary constraint that its disc is drawn apart, inside.
   void draw_weights() {
-    const std::vector<double> weights = constraint_weights(desk_);
+    const ConstraintWeights weights = constraint_weights(desk_);
     double largest = 0;
-    for (const double w : weights) largest = std::max(largest, std::abs(w));
+    for (const auto* each : {&weights.own, &weights.normal})
+      for (const double w : *each) largest = std::max(largest, std::abs(w));
     if (!(largest > 0)) return;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double full = 24 * s_;
+    for (std::size_t i = 0; i < weights.own.size(); ++i) {
       const Point<2> at = place(static_cast<Index>(i));
       if (!in_sight(at)) continue;
-      const double radius = 26 * s_ * std::sqrt(std::abs(weights[i]) / largest);
-      const Color color = diverging_color(weights[i] > 0 ? 0.8 : -0.8);
-      canvas_.fill_circle(at, radius, color.with_alpha(0.35));
-      canvas_.circle(at, radius, {.color = color, .width = 1.4 * s_});
+      const auto& normal = desk_.constraint(static_cast<Index>(i)).normal;
+      Point<2> inward = Point<2>::Zero();
+      if (normal) inward = Point<2>(-normal->direction.x(), normal->direction.y()).normalized();
+      draw_weight(at, weights.own[i], largest, full);
+      if (normal) draw_weight(at + 1.6 * full * inward, weights.normal[i], largest, full);
+      if (weights.own.size() > 60) continue;
+      weight_label(at, weights.own[i]);
+      if (normal) weight_label(at + 1.6 * full * inward, weights.normal[i]);
     }
-    if (weights.size() > 60) return;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      const Point<2> at = place(static_cast<Index>(i));
-      if (!in_sight(at)) continue;
-      std::string words = to_text(std::abs(weights[i]), 3);
-      if (weights[i] < 0) words = "\u2212" + words;
-      canvas_.text(
-          at + Point<2>(0, 19 * s_), words,
-          {.size = 9 * s_, .align = Align::center, .vertical = VerticalAlign::middle, .halo = 2.5 * s_});
-    }
+  }
+
+  void draw_weight(const Point<2>& at, double weight, double largest, double full) {
+    const double radius = full * std::sqrt(std::abs(weight) / largest);
+    const Color color = diverging_color(weight > 0 ? 0.8 : -0.8);
+    canvas_.fill_circle(at, radius, color.with_alpha(0.35));
+    canvas_.circle(at, radius, {.color = color, .width = 1.4 * s_});
+  }
+
+  void weight_label(const Point<2>& at, double weight) {
+    const std::string size = to_text(std::abs(weight), 3);
+    canvas_.text(at + Point<2>(0, 14 * s_), weight < 0 ? "\u2212" + size : size,
+                 {.size = 9 * s_, .align = Align::center, .vertical = VerticalAlign::middle, .halo = 2.5 * s_});
   }
 
   void draw_profile_line() {
@@ -98,6 +115,15 @@ class Overlay {
     const Point<2> from = page(desk_.profile()->from), to = page(desk_.profile()->to);
     canvas_.line(from, to, {.color = theme::paper.with_alpha(0.8), .width = 3.4 * s_});
     canvas_.line(from, to, {.color = theme::moved, .width = 1.6 * s_});
+    // Constraints stand on the line, not under it.
+    const Point<2> along = (to - from).normalized();
+    for (const auto& each : desk_.document().constraints) {
+      const Point<2> at = page(each.constraint.at), way = at - from;
+      const double across = std::abs(way.x() * along.y() - way.y() * along.x());
+      if (!desk_.display().constraints || !(across < 8 * s_) || !in_sight(at)) continue;
+      draw_symbol(canvas_, symbol_of(each.constraint.kind), at, 11 * s_,
+                  each.highlight ? theme::moved : theme::constraint);
+    }
     for (const Point<2>& end : {from, to}) {
       canvas_.fill_circle(end, 4.6 * s_, theme::paper);
       canvas_.fill_circle(end, 3.4 * s_, theme::moved);
@@ -156,7 +182,7 @@ class Overlay {
       case Over::curve:
         // Where a boundary constraint would change nothing.
         if (desk_.gesture() == Gesture::none && takes_curve())
-          draw_symbol(canvas_, Symbol::circle, page(hit.at), 9 * s_, selected);
+          draw_symbol(canvas_, Symbol::circle, page(hit.at), 11 * s_, selected);
         break;
       default:
         break;
@@ -169,11 +195,9 @@ class Overlay {
 
   void draw_preview() {
     const Points<2> points = desk_.preview();
-    const Symbol symbol = desk_.kind() == ConstraintKind::boundary   ? Symbol::circle
-                          : desk_.kind() == ConstraintKind::interior ? Symbol::plus
-                                                                     : Symbol::minus;
+    const Symbol symbol = symbol_of(desk_.kind());
     for (Index i = 0; i < points.cols(); ++i)
-      draw_symbol(canvas_, symbol, page(points.col(i)), 9 * s_, selected);
+      draw_symbol(canvas_, symbol, page(points.col(i)), 11 * s_, selected);
     if (points.cols() > 0 && desk_.cursor())
       tag(page(*desk_.cursor()), std::to_string(points.cols()) + " constraints; the wheel changes how many");
   }
@@ -233,19 +257,22 @@ void draw_overlay(Canvas& canvas, Desk& desk, const OverlayOptions& options) {
   Overlay(canvas, desk, options).draw();
 }
 
-std::vector<double> constraint_weights(Desk& desk) {
+ConstraintWeights constraint_weights(Desk& desk) {
   const Shape<2>& shape = desk.shape();
   if (!shape.current()) return {};
-  // Rows that coincide were merged: the first of them has the weight.
   const Points<2>& centers = shape.function->centers();
   const Values weights = shape.function->weights();
   std::map<std::pair<double, double>, double> at;
   for (Index i = 0; i < centers.cols(); ++i) at.emplace(std::pair(centers(0, i), centers(1, i)), weights[i]);
-  std::vector<double> result;
+  const auto take = [&](const Point<2>& center) {
+    const auto found = at.find({center.x(), center.y()});
+    return found == at.end() ? 0.0 : std::exchange(found->second, 0.0);
+  };
+  ConstraintWeights result;
   for (Index i = 0; i < desk.editor().size(); ++i) {
-    const auto found = at.find({desk.constraint(i).at.x(), desk.constraint(i).at.y()});
-    result.push_back(found == at.end() ? 0.0 : found->second);
-    if (found != at.end()) found->second = 0;
+    const Constraint<2>& c = desk.constraint(i);
+    result.own.push_back(take(c.at));
+    result.normal.push_back(c.normal ? take(normal_center<2>(c.at, *c.normal)) : 0.0);
   }
   return result;
 }

@@ -25,8 +25,12 @@ struct OverlayOptions {
 /// Draws on a canvas of the view's size, one point a logical pixel. Solves where that is still to be done.
 void draw_overlay(Canvas& canvas, Desk& desk, const OverlayOptions& options);
 
-/// w_i of eq. 5 for each constraint of the document (its own row, not its normal's), in order; 0 where a row
-/// was merged into an earlier one. Empty where there is no function of the present document.
-std::vector<double> constraint_weights(Desk& desk);
+/// w_i of eq. 5 for each constraint of the document, in order: of its own row, and of its normal constraint's,
+/// 0 for none. Rows that coincide were merged: the first of them has the weight, the others 0.
+struct ConstraintWeights {
+  std::vector<double> own, normal;
+};
+/// Empty where there is no function of the present document.
+ConstraintWeights constraint_weights(Desk& desk);
 
 }  // namespace seesaw

@@ -36,10 +36,10 @@ ScenePicture paint_scene(const SceneWish& wish, const PictureDetail& detail, Ras
   result.view = wish.view;
   Document<2> document = wish.document;
   document.display.view = wish.view.scene;
-  PictureOptions options{.symbol_size = 9 * wish.scale,
+  PictureOptions options{.symbol_size = 11 * wish.scale,
                          .curve_width = 2.2 * wish.scale,
                          .spike_length = 26 * wish.scale,
-                         .text_size = 8.5 * wish.scale,
+                         .text_size = 10 * wish.scale,
                          .detail = detail};
   if (wish.other) {
     const Contour other = detail.every_component
@@ -103,6 +103,7 @@ void ScenePainter::paint(SceneWish wish, double now, bool moving, bool wait) {
       seconds_a_sum_ =
           std::clamp(0.5 * seconds_a_sum_ + 0.25 * draft.seconds / std::max(1.0, sums), 1e-10, 1e-6);
     }
+    draft_took_ = draft.seconds;
     take(std::move(draft));
     wish_ = std::move(wish);
     changed_ = now;

@@ -64,6 +64,8 @@ class ScenePainter {
   /// Whether paint() has nothing to draw for it, its document's constraints not looked at.
   bool shows(const SceneWish& wish) const { return wish_ && *wish_ == wish; }
   const ScenePicture& picture() const { return picture_; }
+  /// What the last draft took.
+  double draft_seconds() const { return draft_took_; }
   /// Grows with every new picture.
   std::uint64_t number() const { return number_; }
   /// True while something is still to come: the program should not fall asleep.
@@ -81,7 +83,7 @@ class ScenePainter {
   ScenePicture picture_;
   Raster spare_;
   std::uint64_t number_ = 0;
-  double changed_ = 0;
+  double changed_ = 0, draft_took_ = 0;
   double seconds_a_sum_ = 2e-9;  // of one kernel at one point, all cores together
   std::future<ScenePicture> fine_;
   std::optional<SceneWish> fine_wish_;

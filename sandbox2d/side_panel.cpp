@@ -46,9 +46,9 @@ void SidePanel::function(Desk& desk, const std::function<void(DeskCommand)>& act
   int chosen = 0;
   for (const Kernel each : all_kernels) {
     if (each == document.kernel) chosen = static_cast<int>(names.size());
-    names.push_back(each == Kernel::thin_plate_spline ? "thin plate, r\u00b2 log r"
-                    : each == Kernel::cubic           ? "cubic, r\u00b3"
-                                                      : "linear, r");
+    names.push_back(each == Kernel::thin_plate_spline ? "r\u00b2 log r"
+                    : each == Kernel::cubic           ? "r\u00b3"
+                                                      : "r");
   }
   if (ui::choice("kernel", chosen, names))
     desk.apply(SetKernel{all_kernels[static_cast<std::size_t>(chosen)]});
@@ -118,7 +118,7 @@ void SidePanel::one_constraint(Desk& desk, Index which, const std::function<void
     const ui::Edit edit = ui::drag_number(axis == 0 ? "x" : "y", to[axis], pixel_of(desk), "%.5g");
     tell(desk, edit, MoveTo<2>{which, to});
   }
-  const std::vector<double> weights = constraint_weights(desk);
+  const std::vector<double> weights = constraint_weights(desk).own;
   if (static_cast<std::size_t>(which) < weights.size())
     ui::fact("weight", to_text(weights[static_cast<std::size_t>(which)], 4));
   if (c.kind == ConstraintKind::boundary) normal(desk, which);
@@ -186,7 +186,8 @@ void draw_numbers(Desk& desk, const LiveNumbers& numbers) {
     if (curve.closed < curve.components)
       pieces += " (" + std::to_string(curve.components - curve.closed) + " cut)";
     ui::fact("components in view", pieces);
-    ui::fact("area inside, in view", to_text(curve.area, 5));
+    // Where f is zero everywhere, or all that is seen is inside, there is no curve around an area.
+    ui::fact("area inside, in view", curve.components > 0 ? to_text(curve.area, 5) : "\u2013");
     ui::fact("length of the curve", to_text(curve.length, 5));
     ui::fact("bending energy", to_text(shape.report.energy, 5));
     ui::fact("condition", shape.report.reciprocal_condition > 0
@@ -217,7 +218,7 @@ void draw_switches(Desk& desk, Shown& shown, const std::function<void(DeskComman
               {"grid lines", display.grid, C::toggle_grid},
               {"snap to grid", desk.grid().on, C::toggle_snap},
               {"scale bar", display.scale_bar, C::toggle_scale_bar}};
-  const auto table = ui::table("switches", {"", ""});
+  const auto table = ui::table("switches", {"", ""}, false, {1, 1});
   if (!table) return;
   for (const auto& row : rows) {
     ui::next_cell();

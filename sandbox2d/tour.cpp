@@ -167,17 +167,18 @@ std::vector<Index> Tour::pointed() const {
   return tour_steps()[static_cast<std::size_t>(step_)].pointed;
 }
 
-Tour::Wish Tour::frame(const Rect& scene) {
+Tour::Wish Tour::frame(const Rect& place) {
   if (!running()) return Wish::none;
   const TourStep& step = tour_steps()[static_cast<std::size_t>(step_)];
   const int steps = static_cast<int>(tour_steps().size());
-  const double s = ui::scale(), margin = 14 * s;
-  const double width = std::min(420 * s, scene.width - 2 * margin), height = 236 * s;
-  const auto panel = ui::panel(
-      "Tour", {scene.left() + margin, scene.bottom() - height - margin, width, height}, {.title = false});
+  const double s = ui::scale();
+  const auto panel = ui::panel("Tour", place, {.title = false});
   if (!panel) return Wish::none;
-  ui::soft_text("Tour, " + std::to_string(step_ + 1) + " of " + std::to_string(steps));
   ui::bold_text(step.title);
+  ui::same_line();
+  const std::string where = "Tour, " + std::to_string(step_ + 1) + " of " + std::to_string(steps);
+  ui::flush_right(ui::text_width(where));
+  ui::soft_text(where);
   ui::paragraph(step.words);
   if (*step.task) {
     ui::gap(2 * s);

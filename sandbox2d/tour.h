@@ -47,8 +47,8 @@ class Tour {
   std::vector<Index> pointed() const;
 
   enum class Wish { none, back, next, stop };
-  /// Its panel, over the lower left of `scene`; what was pressed.
-  Wish frame(const Rect& scene);
+  /// Its panel; what was pressed.
+  Wish frame(const Rect& place);
 
  private:
   int step_ = -1;

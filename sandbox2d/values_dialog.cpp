@@ -1,6 +1,7 @@
 #include "sandbox2d/values_dialog.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/window/ui.h"
 
@@ -18,8 +19,7 @@ void ValuesDialog::ask(Desk& desk) {
   desk.let_go();
   which_ = desk.selection().indices().front();
   read(desk);
-  fresh_ = true;
-  ui::open_dialog(values_title);
+  fresh_ = asked_ = true;
 }
 
 void ValuesDialog::read(const Desk& desk) {
@@ -64,6 +64,8 @@ bool ValuesDialog::write(Desk& desk) {
 void ValuesDialog::frame(Desk& desk) {
   const double s = ui::scale();
   const auto dialog = ui::dialog(values_title, 420 * s);
+  // In the next frame: the Enter that asked for it would press its main button.
+  if (std::exchange(asked_, false)) ui::open_dialog(values_title);
   if (!dialog) return;
   if (which_ < 0 || which_ >= desk.editor().size()) return ui::close_dialog();
   const auto width = ui::item_width(200 * s);

@@ -26,6 +26,7 @@ class ValuesDialog {
   double degrees_ = 0;
   std::string trouble_;
   bool fresh_ = false;
+  bool asked_ = false;
 };
 
 }  // namespace seesaw

@@ -65,7 +65,7 @@ SetNormal<Dim> normal(const AddNormal& add, const Document<Dim>& document, const
   result.direction = -gradient / slope;
   result.offset = offset;
   // At the very place where core/rbf/system.h will put it.
-  result.value = f.value(at - (offset / result.direction.stableNorm()) * result.direction);
+  result.value = f.value(normal_center<Dim>(at, result));
   return {add.which, result};
 }
 

@@ -67,6 +67,14 @@ Constraint<Dim> exterior(const Point<Dim>& at, double value = -1.0) {
   return {ConstraintKind::exterior, at, value, std::nullopt};
 }
 
+/// Where the normal constraint of a boundary constraint stands: at - offset n, to the bit as the solver has it.
+/// Not a number for a direction of length zero.
+template <int Dim>
+Point<Dim> normal_center(const Point<Dim>& at, const NormalConstraint<Dim>& normal) {
+  // stableNorm: a direction of length 1e-200 is a direction.
+  return at - (normal.offset / normal.direction.stableNorm()) * normal.direction;
+}
+
 /// The positions of the boundary constraints, Dim x N: points that the curve or surface passes through, from
 /// which contours and polygonizers start.
 template <int Dim>

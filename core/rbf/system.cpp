@@ -115,10 +115,8 @@ Rows<Dim> rows_of(const Constraints<Dim>& constraints) {
     add(constraint.at, constraint.value, index, false);
     if (!constraint.normal) continue;
     const auto& normal = *constraint.normal;
-    // stableNorm: a direction of length 1e-200 is a direction.
-    const double length = normal.direction.stableNorm();
-    if (length == 0.0) without_direction.insert(index);
-    add(constraint.at - (normal.offset / length) * normal.direction, normal.value, index, true);
+    if (normal.direction.stableNorm() == 0.0) without_direction.insert(index);
+    add(normal_center<Dim>(constraint.at, normal), normal.value, index, true);
   }
   if (!without_direction.empty())
     throw ConstraintError(Reason::no_direction,

@@ -60,6 +60,7 @@ struct PanelOptions {
   bool title = true;
   bool movable = false;  ///< moved and resized by hand; its Rect is then where it begins
   bool padded = true;
+  bool scrolls = true;   ///< by a bar where its content is too high
   bool* open = nullptr;  ///< with a closing cross that makes it false
 };
 Scope panel(const std::string& title, const Rect& rect, const PanelOptions& options = {});
@@ -78,7 +79,9 @@ Scope tab(const std::string& label);
 /// A part that scrolls; 0 for all that is left.
 Scope scroll_area(const std::string& id, double width = 0, double height = 0, bool framed = false);
 /// Rows and columns; `headers` may be empty strings for none. Begin each cell with next_cell().
-Scope table(const std::string& id, const std::vector<std::string>& headers, bool striped = false);
+/// Columns are as wide as their content wants, or share the width by `weights`, one each.
+Scope table(const std::string& id, const std::vector<std::string>& headers, bool striped = false,
+            const std::vector<double>& weights = {});
 void next_cell();
 /// Widgets within are drawn pale and do nothing while `off`.
 Scope disabled(bool off);

@@ -27,6 +27,7 @@ Scope panel(const std::string& title, const Rect& rect, const PanelOptions& opti
   if (!options.title) flags |= ImGuiWindowFlags_NoTitleBar;
   if (!options.movable)
     flags |= ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (!options.scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   const ImGuiCond when = options.movable ? ImGuiCond_Appearing : ImGuiCond_Always;
   ImGui::SetNextWindowPos(vec(rect.x, rect.y), when);
   ImGui::SetNextWindowSize(vec(rect.width, rect.height), when);
@@ -86,15 +87,20 @@ Scope scroll_area(const std::string& id, double width, double height, bool frame
   return {open, ImGui::EndChild};
 }
 
-Scope table(const std::string& id, const std::vector<std::string>& headers, bool striped) {
+Scope table(const std::string& id, const std::vector<std::string>& headers, bool striped,
+            const std::vector<double>& weights) {
   const int columns = static_cast<int>(headers.size());
   if (columns == 0) return {false, nullptr};
   const int flags = ImGuiTableFlags_SizingStretchProp | (striped ? ImGuiTableFlags_RowBg : 0);
   if (!ImGui::BeginTable(id.c_str(), columns, flags)) return {false, nullptr};
   bool any = false;
-  for (const std::string& header : headers) {
-    ImGui::TableSetupColumn(header.c_str());
-    any = any || !header.empty();
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    if (i < weights.size())
+      ImGui::TableSetupColumn(headers[i].c_str(), ImGuiTableColumnFlags_WidthStretch,
+                              static_cast<float>(weights[i]));
+    else
+      ImGui::TableSetupColumn(headers[i].c_str());
+    any = any || !headers[i].empty();
   }
   if (any) ImGui::TableHeadersRow();
   return {true, ImGui::EndTable};
