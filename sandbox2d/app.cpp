@@ -181,7 +181,8 @@ void App::frame() {
 
   place_everything();
   draw_scene();
-  draw_beside();
+  draw_plate();
+  draw_profile_chart();
   draw_status();
   look_after_settings();
   look_after_autosave();
@@ -195,6 +196,8 @@ bool App::settled() const {
          (!shown_.plate || layout_.plate.width == 0 || plate_.settled());
 }
 
+bool App::moving() const { return desk_.gesture() != Gesture::none || desk_.sliding(); }
+
 void App::draw_scene() {
   const Rect place = layout_.scene;
   const Shape<2>& shape = desk_.shape();
@@ -207,8 +210,7 @@ void App::draw_scene() {
   wish.scale = window_.scale();
   wish.document.display = desk_.display();
   if (!painter_.shows(wish)) wish.document = desk_.to_save();
-  const bool moving = desk_.gesture() != Gesture::none || desk_.sliding();
-  painter_.paint(std::move(wish), window_.clock().time(), moving, scripted());
+  painter_.paint(std::move(wish), window_.clock().time(), moving(), scripted());
   if (painter_.busy()) window_.stay_awake();
 
   const SceneLook look{painter_.number(), window_.scale(), window_.dark(), shown_.weights, pointer_in_scene_};
@@ -236,50 +238,63 @@ void App::draw_scene() {
   }
 }
 
-void App::draw_beside() {
-  const double s = window_.scale(), ratio = window_.pixel_ratio();
+void App::draw_plate() {
+  if (layout_.plate.width <= 0) return;
+  const auto panel = ui::panel("See-saw", layout_.plate, {.title = false, .padded = false, .scrolls = false});
+  if (!panel) return;
   const Shape<2>& shape = desk_.shape();
-  const auto pixels = [&](double length) {
-    return std::max(1, static_cast<int>(std::lround(length * ratio)));
-  };
-  const bool moving = desk_.gesture() != Gesture::none || desk_.sliding();
-  if (layout_.plate.width > 0) {
-    const auto panel = ui::panel("See-saw", layout_.plate, {.title = false, .padded = false});
-    if (panel) {
-      if (shape.function) {
-        // A plate of so many kernels is as fine as a frame allows.
-        const double most = std::sqrt(4e6 / static_cast<double>(std::max<Index>(1, shape.function->size())));
-        const int cells = std::clamp(static_cast<int>(most), 16, moving ? 56 : 96);
-        plate_.show(*shape.function, desk_.document(), square_within(desk_.view().scene()), desk_.profile(),
-                    cells, 2 * desk_.revision() + (shape.pending ? 1 : 0));
-      } else {
-        plate_.clear();
-      }
-      const Texture& picture =
-          plate_.draw(pixels(layout_.plate.width), pixels(layout_.plate.height), ui::colors(), ratio * s);
-      plate_.use(ui::picture("Plate", picture, layout_.plate.width, layout_.plate.height), shift_);
-      if (!plate_.settled()) window_.stay_awake();
-    }
+  if (shape.function) {
+    // A plate of so many kernels is as fine as a frame allows.
+    const double most = std::sqrt(4e6 / static_cast<double>(std::max<Index>(1, shape.function->size())));
+    const int cells = std::clamp(static_cast<int>(most), 16, moving() ? 56 : 96);
+    plate_.show(*shape.function, desk_.document(), square_within(desk_.view().scene()), desk_.profile(), cells,
+                2 * desk_.revision() + (shape.pending ? 1 : 0));
+  } else {
+    plate_.clear();
   }
-  if (layout_.profile.width > 0 && desk_.profile()) {
-    const auto panel = ui::panel("Profile", layout_.profile, {.title = false, .padded = false});
-    if (panel) {
-      Canvas chart(layout_.profile.width, layout_.profile.height, ui::colors().background);
-      if (shape.function) {
-        const auto other = desk_.other();
-        const ProfileData data = profile_of(*shape.function, *desk_.profile(), desk_.document(), other.get(),
-                                            0.02 * desk_.view().scene().sizes().maxCoeff());
-        if (!(profile_line_ == desk_.profile()) && !moving) profile_range_.reset();
-        if (!moving) profile_line_ = desk_.profile();
-        profile_range_.include(data);
-        draw_profile(chart, chart.bounds().inset(6 * s), data, profile_range_,
-                     {.text_size = 11 * s, .colors = ui::colors()});
+  const double ratio = window_.pixel_ratio();
+  const auto pixels = [&](double length) { return std::max(1, static_cast<int>(std::lround(length * ratio))); };
+  const Texture& picture = plate_.draw(pixels(layout_.plate.width), pixels(layout_.plate.height), ui::colors(),
+                                       ratio * window_.scale());
+  plate_.use(ui::picture("Plate", picture, layout_.plate.width, layout_.plate.height), shift_);
+  if (!plate_.settled()) window_.stay_awake();
+}
+
+void App::draw_profile_chart() {
+  if (layout_.profile.width <= 0 || !desk_.profile()) return;
+  const auto panel = ui::panel("Profile", layout_.profile, {.title = false, .padded = false, .scrolls = false});
+  if (!panel) return;
+  const double s = window_.scale();
+  const Rect place = layout_.profile;
+  const ChartLook look{desk_.revision(),
+                       desk_.shape().function,
+                       desk_.other(),
+                       *desk_.profile(),
+                       place.width,
+                       place.height,
+                       s,
+                       0.02 * desk_.view().scene().sizes().maxCoeff(),
+                       window_.dark(),
+                       moving()};
+  if (!(look == chart_look_) || chart_texture_.empty()) {
+    chart_look_ = look;
+    Canvas chart(place.width, place.height, ui::colors().background);
+    if (look.function) {
+      const ProfileData data =
+          profile_of(*look.function, look.line, desk_.document(), look.other.get(), look.near);
+      // Another line has another range; while it is dragged the axis stands still.
+      if (!look.moving && profile_line_ != look.line) {
+        profile_range_.reset();
+        profile_line_ = look.line;
       }
-      chart_raster_.paint(chart, ratio);
-      chart_texture_.upload(pixels_of(chart_raster_));
-      ui::picture("Chart", chart_texture_, layout_.profile.width, layout_.profile.height);
+      profile_range_.include(data);
+      draw_profile(chart, chart.bounds().inset(6 * s), data, profile_range_,
+                   {.text_size = 11 * s, .colors = ui::colors()});
     }
+    chart_raster_.paint(chart, window_.pixel_ratio());
+    chart_texture_.upload(pixels_of(chart_raster_));
   }
+  ui::picture("Chart", chart_texture_, place.width, place.height);
 }
 
 void App::draw_status() {

@@ -75,12 +75,15 @@ class App {
   // app.cpp
   void place_everything();
   void draw_scene();
-  void draw_beside();
+  void draw_plate();
+  void draw_profile_chart();
   void draw_status();
   void look_after_settings();
   void look_after_autosave();
   /// Whether the view is the one that the document asks for.
   bool shows_as_saved() const;
+  /// The document is changing under a hand.
+  bool moving() const;
   bool scripted() const { return window_.clock().is_fixed(); }
 
   // app_commands.cpp
@@ -141,6 +144,16 @@ class App {
   Texture chart_texture_;
 
   std::optional<ProfileLine> profile_line_;
+  // What the chart's texture was made for.
+  struct ChartLook {
+    std::uint64_t revision = 0;
+    std::shared_ptr<const Interpolant<2>> function, other;
+    ProfileLine line;
+    double width = 0, height = 0, scale = 0, near = 0;
+    bool dark = false, moving = false;
+    bool operator==(const ChartLook&) const = default;
+  };
+  ChartLook chart_look_;
 
   bool pointer_in_scene_ = false, shift_ = false;
   std::uint64_t message_seen_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -83,6 +84,7 @@ class Overlay {
       for (const double w : *each) largest = std::max(largest, std::abs(w));
     if (!(largest > 0)) return;
     const double full = 24 * s_;
+    std::vector<std::pair<double, Point<2>>> found;
     for (std::size_t i = 0; i < weights.own.size(); ++i) {
       const Point<2> at = place(static_cast<Index>(i));
       if (!in_sight(at)) continue;
@@ -91,9 +93,25 @@ class Overlay {
       if (normal) inward = Point<2>(-normal->direction.x(), normal->direction.y()).normalized();
       draw_weight(at, weights.own[i], largest, full);
       if (normal) draw_weight(at + 1.6 * full * inward, weights.normal[i], largest, full);
-      if (weights.own.size() > 60) continue;
-      weight_label(at, weights.own[i]);
-      if (normal) weight_label(at + 1.6 * full * inward, weights.normal[i]);
+      found.push_back({weights.own[i], at});
+      if (normal) found.push_back({weights.normal[i], at + 1.6 * full * inward});
+    }
+    label_weights(std::move(found));
+  }
+
+  // The largest first, and as many as have room.
+  void label_weights(std::vector<std::pair<double, Point<2>>> weights) {
+    std::ranges::stable_sort(weights, std::greater{}, [](const auto& each) { return std::abs(each.first); });
+    std::vector<Point<2>> taken;
+    const Point<2> room(34 * s_, 15 * s_);
+    for (const auto& [weight, at] : weights) {
+      if (taken.size() >= 40) return;
+      const bool free = std::ranges::none_of(taken, [&](const Point<2>& other) {
+        return std::abs(other.x() - at.x()) < room.x() && std::abs(other.y() - at.y()) < room.y();
+      });
+      if (!free) continue;
+      taken.push_back(at);
+      weight_label(at, weight);
     }
   }
 
