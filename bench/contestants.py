@@ -90,6 +90,18 @@ def context(name="bench_fit"):
     return json.loads(one_core().output_of(command))["context"]
 
 
+def frames(script, scene, cores, repetitions):
+    """What the curve editor's frames took while `script` was played, in seconds, once a repetition."""
+    found = []
+    for _ in range(repetitions):
+        with watching_others() as others:
+            output = cores.output_of([program("sandbox2d"), HERE / scene, "--script", HERE / f"{script}.script", "--size",
+                                      "1280x800", "--times"])
+        times = json.loads(output)
+        found.append({"median": 1e-3 * times["median_ms"], "p90": 1e-3 * times["p90_ms"], "others": others[0]})
+    return found
+
+
 def peak_memory(what, n, cores):
     return float(cores.output_of([program("bench_memory"), what, n]))
 

@@ -282,13 +282,30 @@ def particles_section(table, quick):
         table.speedup("step / the paper's 150 at 10 Hz", [r["step"] for r in rounds], [0.1] * len(rounds), None)
 
 
+def frame_section(table, quick):
+    """The curve editor's frames while a constraint is dragged, from the event to the pixels, without a graphics card."""
+    if not (contestants.PROGRAMS / "sandbox2d").exists():
+        print("\nFRAMES\n  sandbox2d was not built: SDL2, OpenGL or Dear ImGui are not installed")
+        return
+    cores = contestants.all_cores()
+    table.section(f"FRAMES on {cores.words}", "sandbox2d, 1280 x 800: the median frame of a drag, against the time of a "
+                  "frame at 30 Hz")
+    every = {}
+    for words, script in (("everything shown, 60 constraints", "drag_all"), ("the curve alone", "drag_curve")):
+        rounds = every[script] = contestants.frames(script, "sixty.json", cores, 1 if quick else 5)
+        table.head(words, others_on(cores, rounds))
+        table.times("frame / 33 ms", [r["median"] for r in rounds], [0.033] * len(rounds),
+                    at_most(1.0) if cores.count == 2 and script == "drag_all" else None)
+        table.times("slowest tenth / 33 ms", [r["p90"] for r in rounds], [0.033] * len(rounds), None)
+
+
 def main():
     parser = argparse.ArgumentParser(description="Seesaw's benchmarks, as a table with ratios and aims")
     parser.add_argument("--quick", action="store_true", help="a few seconds: only to see that everything runs")
     parser.add_argument("--full", action="store_true", help="also N = 6000")
     parser.add_argument("--programs", default=HERE.parent / "build/release/bin", type=pathlib.Path,
-                        help="where bench_fit, bench_edit, bench_evaluate, bench_extract, bench_trace, bench_particles and "
-                        "bench_memory are")
+                        help="where bench_fit, bench_edit, bench_evaluate, bench_extract, bench_trace, bench_particles, "
+                        "bench_memory and sandbox2d are")
     options = parser.parse_args()
     contestants.PROGRAMS = options.programs
 
@@ -309,6 +326,7 @@ def main():
     extraction_section(table, 1 if options.quick else 5)
     tracing_section(table, options.quick)
     particles_section(table, options.quick)
+    frame_section(table, options.quick)
     table.summary(machine.load())
 
 

@@ -180,8 +180,9 @@ void App::frame() {
   questions_.frame();
 
   place_everything();
-  draw_scene();
+  // The plate first: without a graphics card other threads draw it while this one paints the scene.
   draw_plate();
+  draw_scene();
   draw_profile_chart();
   draw_status();
   look_after_settings();
@@ -247,22 +248,25 @@ void App::draw_plate() {
     // A plate of so many kernels is as fine as a frame allows.
     const double most = std::sqrt(4e6 / static_cast<double>(std::max<Index>(1, shape.function->size())));
     const int cells = std::clamp(static_cast<int>(most), 16, moving() ? 56 : 96);
-    plate_.show(*shape.function, desk_.document(), square_within(desk_.view().scene()), desk_.profile(), cells,
-                2 * desk_.revision() + (shape.pending ? 1 : 0));
+    plate_.show(*shape.function, desk_.document(), square_within(desk_.view().scene()), desk_.profile(),
+                cells, 2 * desk_.revision() + (shape.pending ? 1 : 0));
   } else {
     plate_.clear();
   }
   const double ratio = window_.pixel_ratio();
-  const auto pixels = [&](double length) { return std::max(1, static_cast<int>(std::lround(length * ratio))); };
-  const Texture& picture = plate_.draw(pixels(layout_.plate.width), pixels(layout_.plate.height), ui::colors(),
-                                       ratio * window_.scale());
+  const auto pixels = [&](double length) {
+    return std::max(1, static_cast<int>(std::lround(length * ratio)));
+  };
+  const Texture& picture = plate_.draw(pixels(layout_.plate.width), pixels(layout_.plate.height),
+                                       ui::colors(), ratio * window_.scale());
   plate_.use(ui::picture("Plate", picture, layout_.plate.width, layout_.plate.height), shift_);
   if (!plate_.settled()) window_.stay_awake();
 }
 
 void App::draw_profile_chart() {
   if (layout_.profile.width <= 0 || !desk_.profile()) return;
-  const auto panel = ui::panel("Profile", layout_.profile, {.title = false, .padded = false, .scrolls = false});
+  const auto panel =
+      ui::panel("Profile", layout_.profile, {.title = false, .padded = false, .scrolls = false});
   if (!panel) return;
   const double s = window_.scale();
   const Rect place = layout_.profile;
@@ -320,8 +324,7 @@ void App::draw_status() {
   Color color = colors.soft_ink;
   const bool fresh = message.number > 0 && !message.text.empty() && now - message_since_ < message_stays;
   if (shape.impossible) {
-    words =
-        shape.impossible->message + (shape.function ? "; the curve is the last one that could be had" : "");
+    words = shape.impossible->message;
     color = colors.warning;
   } else if (fresh) {
     words = message.text;

@@ -141,7 +141,8 @@ void GalleryDialog::frame(double width, double height, double pixel_ratio, bool 
   {
     const auto area = ui::scroll_area("figures", 0, std::min(height - 190 * s, 640 * s));
     const auto n = static_cast<std::size_t>(columns);
-    const auto table = ui::table("gallery", std::vector<std::string>(n, ""), false, std::vector<double>(n, 1));
+    const auto table =
+        ui::table("gallery", std::vector<std::string>(n, ""), false, std::vector<double>(n, 1));
     for (std::size_t i = 0; table && i < gallery().size(); ++i) {
       const GalleryEntry& entry = gallery()[i];
       ui::next_cell();

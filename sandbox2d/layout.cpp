@@ -13,12 +13,15 @@ Layout layout_of(const LayoutWish& wish) {
   const double least = std::max(1.0, 0.2 * wish.width);
   double left = 0, right = wish.width;
   const auto room = [&](double wanted) { return right - left - wanted >= least; };
-  if (wish.panels && room(std::round(124 * s))) {
-    layout.tools = {0, top, std::round(124 * s), height};
-    left = layout.tools.width;
+  const double tools = std::round(132 * s);
+  if (wish.panels && room(tools)) {
+    layout.tools = {0, top, tools, height};
+    left = tools;
   }
-  if (wish.panels && room(std::round(292 * s))) {
-    layout.side = {right - std::round(292 * s), top, std::round(292 * s), height};
+  // Letters for a hall leave the scene its place: the panel is then as narrow as can be read.
+  const double side = std::round(std::clamp(0.31 * wish.width, 236 * s, 292 * s));
+  if (wish.panels && room(side)) {
+    layout.side = {right - side, top, side, height};
     right = layout.side.x;
   }
   if (wish.tour) {

@@ -32,8 +32,8 @@ void print_times(std::vector<double> seconds) {
   const auto at = [&](double part) {
     return 1e3 * seconds[static_cast<std::size_t>(part * static_cast<double>(seconds.size() - 1))];
   };
-  std::cout << "{\"frames\": " << seconds.size() << ", \"median_ms\": " << at(0.5) << ", \"p90_ms\": " << at(0.9)
-            << ", \"longest_ms\": " << at(1) << "}\n";
+  std::cout << "{\"frames\": " << seconds.size() << ", \"median_ms\": " << at(0.5)
+            << ", \"p90_ms\": " << at(0.9) << ", \"longest_ms\": " << at(1) << "}\n";
 }
 
 void run(const Arguments& arguments) {

@@ -53,7 +53,7 @@ class Overlay {
   }
 
   void tag(const Point<2>& at, const std::string& words, const Color& color = theme::ink) {
-    const double size = 9.5 * s_;
+    const double size = 11 * s_;
     const TextStyle style{.size = size, .color = color};
     const TextSize room = measure_text(words, style);
     const double width = room.width + size, height = 1.9 * size;
@@ -124,8 +124,9 @@ class Overlay {
 
   void weight_label(const Point<2>& at, double weight) {
     const std::string size = to_text(std::abs(weight), 3);
-    canvas_.text(at + Point<2>(0, 14 * s_), weight < 0 ? "\u2212" + size : size,
-                 {.size = 9 * s_, .align = Align::center, .vertical = VerticalAlign::middle, .halo = 2.5 * s_});
+    canvas_.text(
+        at + Point<2>(0, 14 * s_), weight < 0 ? "\u2212" + size : size,
+        {.size = 9 * s_, .align = Align::center, .vertical = VerticalAlign::middle, .halo = 2.5 * s_});
   }
 
   void draw_profile_line() {
@@ -251,7 +252,7 @@ class Overlay {
   void draw_legend() {
     const std::string name = desk_.other_name();
     if (name.empty()) return;
-    const double size = 10 * s_;
+    const double size = 11.5 * s_;
     const std::string words = name == "before" ? "dashed: before" : "dashed: kernel " + name;
     const TextSize room = measure_text(words, {.size = size});
     const Rect box{canvas_.width() - room.width - 52 * s_, 12 * s_, room.width + 40 * s_, 2.1 * size};

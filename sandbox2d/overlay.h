@@ -25,8 +25,8 @@ struct OverlayOptions {
 /// Draws on a canvas of the view's size, one point a logical pixel. Solves where that is still to be done.
 void draw_overlay(Canvas& canvas, Desk& desk, const OverlayOptions& options);
 
-/// w_i of eq. 5 for each constraint of the document, in order: of its own row, and of its normal constraint's,
-/// 0 for none. Rows that coincide were merged: the first of them has the weight, the others 0.
+/// w_i of eq. 5 for each constraint of the document, in order: of its own row, and of its normal
+/// constraint's, 0 for none. Rows that coincide were merged: the first of them has the weight, the others 0.
 struct ConstraintWeights {
   std::vector<double> own, normal;
 };

@@ -33,7 +33,7 @@ void SidePanel::draw(const Rect& place, Desk& desk, Shown& shown, const LiveNumb
                      const std::function<void(DeskCommand)>& act) {
   const auto panel = ui::panel("Side", place, {.title = false});
   if (!panel) return;
-  const auto width = ui::item_width(0.56 * ui::width_left());
+  const auto width = ui::item_width(0.52 * ui::width_left());
   if (const auto open = ui::section("Lever and selection")) selection(desk, act);
   if (const auto open = ui::section("Function")) function(desk, act);
   if (const auto open = ui::section("Numbers")) draw_numbers(desk, numbers);

@@ -62,6 +62,8 @@ void Framebuffer::finish() {
     glBlitFramebuffer(0, 0, width(), height(), 0, 0, width(), height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  // Begun now: whoever draws goes on meanwhile, with the processor's other cores where there is no card.
+  glFlush();
 }
 
 Image Framebuffer::image() const {
