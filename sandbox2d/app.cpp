@@ -98,6 +98,12 @@ void App::handle(const Input& input) {
     if (!layout_.scene.contains(down->at)) return;
   if (const auto* wheel = std::get_if<WheelMoved>(&input.event))
     if (!layout_.scene.contains(wheel->at)) return;
+  // A hand takes over from a replay.
+  const bool hand = std::holds_alternative<PointerDown>(*event) || std::holds_alternative<KeyDown>(*event);
+  if (hand && playback_.running()) {
+    playback_.stop(desk_);
+    return desk_.say("stopped; what was done can be undone");
+  }
   act_on(desk_.handle(*event));
 }
 
@@ -136,6 +142,11 @@ void App::frame() {
   }
   const bool news = solver_.poll(), other_news = other_solver_.poll();
   if (news || other_news) desk_.solve_again();
+  if (playback_.running()) {
+    playback_.step(desk_, window_.clock().time());
+    changed_ = true;
+    window_.stay_awake();
+  }
   place_everything();
 
   const auto do_it = [this](DeskCommand command) { act(command); };

@@ -33,6 +33,7 @@
 #include "sandbox2d/menus.h"
 #include "sandbox2d/message_boxes.h"
 #include "sandbox2d/plate.h"
+#include "sandbox2d/playback.h"
 #include "sandbox2d/profile_chart.h"
 #include "sandbox2d/scene_painter.h"
 #include "sandbox2d/settings.h"
@@ -91,6 +92,7 @@ class App {
   void act_on(std::optional<DeskCommand> command);
   void open(const std::filesystem::path& path);
   void ask_open();
+  void ask_replay();
   void ask_save(std::function<void()> then = {});
   void save(std::function<void()> then = {});
   void ask_export();
@@ -120,6 +122,7 @@ class App {
   FileDialog files_;
   Questions questions_;
   Tour tour_;
+  Playback playback_;
 
   SettingsFile settings_;
   RecentFiles recent_;

@@ -24,6 +24,10 @@ void App::act_on(std::optional<DeskCommand> command) {
 void App::act(DeskCommand command) {
   using C = DeskCommand;
   changed_ = true;
+  if (playback_.running()) {
+    playback_.stop(desk_);
+    if (command == C::cancel) return desk_.say("stopped; what was done can be undone");
+  }
   // What is left over is for here.
   const std::optional<C> mine = desk_.perform(command);
   if (command == C::fit) plate_.rescale();
@@ -74,6 +78,8 @@ void App::act(DeskCommand command) {
       return ask_export();
     case C::record:
       return toggle_recording();
+    case C::replay:
+      return when_kept([this] { ask_replay(); });
     case C::help:
       return help_.ask();
     case C::full_screen:
@@ -187,6 +193,17 @@ void App::ask_open() {
     recent_.add(path);
     new_document_shown();
   });
+}
+
+void App::ask_replay() {
+  files_.set_places(places());
+  files_.ask_open("Replay a session", {{".json", "Session"}}, settings_.settings().last_folder,
+                  [this](const std::filesystem::path& path) {
+                    Session<2> session = read_session<2>(path);
+                    tour_.stop();
+                    playback_.start(std::move(session), desk_, window_.clock().time());
+                    new_document_shown();
+                  });
 }
 
 void App::ask_export() {

@@ -50,6 +50,7 @@ class Menus {
     item("Export\u2026", C::export_picture);
     ui::separator();
     item(desk_.recording() ? "Stop recording\u2026" : "Record a session", C::record);
+    item("Replay a session\u2026", C::replay);
     ui::separator();
     item("Quit", C::quit);
   }

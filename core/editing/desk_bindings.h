@@ -105,6 +105,7 @@ enum class DeskCommand {
   save_as,
   export_picture,
   record,
+  replay,
   help,
   full_screen,
   quit
