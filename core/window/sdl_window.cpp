@@ -3,6 +3,7 @@
 #include <SDL.h>
 #include <epoxy/gl.h>
 
+#include <clocale>
 #include <cstdlib>
 #include <cstring>
 
@@ -20,6 +21,9 @@ bool is_screenless(const char* driver) {
 
 // Signals stay the program's: Ctrl+C in a terminal ends it.
 void start_video(Screen screen) {
+  // X11 asks the locale which letters there are. In that of a program's start, "C", it takes no title with
+  // others than ASCII, and keeps the old one without a word. Letters alone: numbers keep their decimal point.
+  if (std::strcmp(std::setlocale(LC_CTYPE, nullptr), "C") == 0) std::setlocale(LC_CTYPE, "C.UTF-8");
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
