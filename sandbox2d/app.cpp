@@ -56,10 +56,13 @@ App::App(Window& window, const AppOptions& options)
   shown_.plate = options.plate.value_or(settings_.settings().shows("plate", false));
   shown_.weights = settings_.settings().shows("weights", false);
   place_everything();
-  if (!options.file.empty())
-    open(options.file);
-  else
+  if (!options.file.empty()) open(options.file);
+  if (options.file.empty() || desk_.message().trouble) {
+    // Also in place of a file that cannot be read; what is wrong with it is still said.
+    const DeskMessage trouble = desk_.message();
     show_entry(gallery().front());
+    if (trouble.trouble) desk_.say(trouble.text, true);
+  }
   if (!autosave_folder_.empty()) offer_recovered();
   if (options.offer_tour && options.file.empty() && !settings_.settings().tour_seen && !questions_.open())
     questions_.ask(
@@ -162,10 +165,13 @@ void App::frame() {
   if (layout_.tools.width > 0) draw_tools(layout_.tools, desk_, do_it);
   if (layout_.side.width > 0) {
     const Shape<2>& shape = desk_.shape();
+    const auto measured = [this](double seconds) {
+      return scripted() ? std::nullopt : std::optional<double>(seconds);
+    };
     side_panel_.draw(layout_.side, desk_, shown_,
                      {.curve = painter_.picture().curve,
-                      .solve_seconds = shape.report.seconds,
-                      .draw_seconds = painter_.draft_seconds(),
+                      .solve_seconds = measured(shape.report.seconds),
+                      .draw_seconds = measured(painter_.draft_seconds()),
                       .refit_difference = solver_.last_difference(),
                       .solving = shape.pending},
                      do_it);
@@ -334,7 +340,9 @@ void App::draw_status() {
   std::string words;
   Color color = colors.soft_ink;
   const bool fresh = message.number > 0 && !message.text.empty() && now - message_since_ < message_stays;
-  if (shape.impossible) {
+  // What was just asked for and refused comes before what has been wrong for a while.
+  const bool first = fresh && (message.trouble || desk_.editor().size() == 0);
+  if (shape.impossible && !first) {
     words = shape.impossible->message;
     color = colors.warning;
   } else if (fresh) {

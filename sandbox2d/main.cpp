@@ -57,8 +57,9 @@ void run(const Arguments& arguments) {
     char cross = 0;
     std::istringstream words(arguments.size);
     if (!(words >> look.width >> cross >> look.height) || cross != 'x' || look.width < 320 ||
-        look.height < 240)
-      throw Error("--size \"" + arguments.size + "\": expected WIDTHxHEIGHT, at least 320x240");
+        look.height < 240 || look.width > 16384 || look.height > 16384 || !(words >> std::ws).eof())
+      throw Error("--size \"" + arguments.size +
+                  "\": expected WIDTHxHEIGHT, at least 320x240 and at most 16384x16384");
   }
   if (scripted) {
     look.screen = Screen::none;

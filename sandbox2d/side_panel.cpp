@@ -196,8 +196,11 @@ void draw_numbers(Desk& desk, const LiveNumbers& numbers) {
     ui::fact("largest residual", to_text(shape.report.max_residual, 2));
     if (numbers.refit_difference) ui::fact("off a fresh fit", to_text(*numbers.refit_difference, 2));
   }
-  ui::fact("solve", numbers.solving ? "at work" : to_text(1e3 * numbers.solve_seconds, 2) + " ms");
-  ui::fact("draw", to_text(1e3 * numbers.draw_seconds, 2) + " ms");
+  const auto took = [](const std::optional<double>& seconds) {
+    return seconds ? to_text(1e3 * *seconds, 2) + " ms" : std::string("\u2013");
+  };
+  ui::fact("solve", numbers.solving ? "at work" : took(numbers.solve_seconds));
+  ui::fact("draw", took(numbers.draw_seconds));
 }
 
 void draw_switches(Desk& desk, Shown& shown, const std::function<void(DeskCommand)>& act) {

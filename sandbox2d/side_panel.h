@@ -16,9 +16,9 @@ namespace seesaw {
 /// What the desk itself does not know.
 struct LiveNumbers {
   Contour curve;  ///< of the picture that is shown; its polylines are not looked at
-  double solve_seconds = 0;
-  double draw_seconds = 0;  ///< of the scene's picture
-  double frame_seconds = 0;
+  /// Nothing for scripts, whose pictures are the same in every run.
+  std::optional<double> solve_seconds;
+  std::optional<double> draw_seconds;  ///< of the scene's picture
   /// By how much editing without refitting was off when a fresh fit came last; units of the values.
   std::optional<double> refit_difference;
   /// A fit is being made in the background.

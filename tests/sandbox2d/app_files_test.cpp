@@ -195,7 +195,6 @@ TEST(AppFiles, ARecordedSessionIsDoneAgain) {
   EXPECT_EQ(bits_of(stage.document()), bits_of(read_scene(gallery().front())));
 }
 
-// A copy left by a program that was killed is offered, and gone once it is saved.
 TEST(AppFiles, AFileGivenAtTheStart) {
   SEESAW_WINDOW_OR_SKIP(window, app_window);
   ScratchFolder folder;
@@ -209,6 +208,7 @@ TEST(AppFiles, AFileGivenAtTheStart) {
   EXPECT_SAID(stage, "none.json");
   EXPECT_TRUE(stage.desk().message().trouble);
   EXPECT_TRUE(stage.desk().path().empty());
+  EXPECT_EQ(bits_of(stage.document()), bits_of(read_scene(gallery().front()))) << "there is something to see";
 }
 
 // The dialog's way, by a typed name: the same bytes as `figures render` of the scene.
