@@ -71,6 +71,13 @@ class App {
 
   Desk& desk() { return desk_; }
   const ScenePainter& painter() const { return painter_; }
+  /// Where everything is, as of the last frame.
+  const Layout& layout() const { return layout_; }
+  const Shown& shown() const { return shown_; }
+  const Tour& tour() const { return tour_; }
+  const FileDialog& file_dialog() const { return files_; }
+  /// A question waits for its answer.
+  bool asks() const { return questions_.open(); }
 
  private:
   // app.cpp

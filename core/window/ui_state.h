@@ -4,6 +4,7 @@
 // layout has changed. It is owned by the Window and reached through Dear ImGui's context.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct UiState {
 
   std::vector<std::string> to_open = {};  ///< dialogs and popups that were asked for and not drawn yet
   int dialogs = 0;                        ///< that are open around what is drawn now
+
+  /// What stands in the number fields that have the caret, or had it in the last frame, by Dear ImGui's
+  /// numbers for them.
+  std::map<unsigned, double> typed = {};
 
   /// Whether it was asked for; then it is no longer.
   bool take_to_open(const std::string& name) { return std::erase(to_open, name) > 0; }

@@ -95,6 +95,14 @@ Edit number(const std::string& label, double& value, double step, const char* fo
   ImGui::InputScalar(label.c_str(), ImGuiDataType_Double, &typed, step > 0 ? &step : nullptr, nullptr, format,
                      ImGuiInputTextFlags_CharsScientific);
   Edit edit = edit_of_last(label, false);
+  // Where Tab or a press takes the caret to another field, this one forgets what was typed before it says so.
+  auto& all_typed = detail::ui_state().typed;
+  const ImGuiID id = ImGui::GetID(label.c_str());
+  if (ImGui::IsItemActive()) {
+    all_typed[id] = typed;
+  } else if (const auto had = all_typed.extract(id)) {
+    if (edit.ended && typed == value && !detail::pressed_now(Key::escape)) typed = had.mapped();
+  }
   if (typed != value && (edit.ended || (step > 0 && !ImGui::GetIO().WantTextInput))) {
     value = typed;
     edit.changed = true;

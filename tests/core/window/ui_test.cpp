@@ -124,6 +124,25 @@ TEST(Ui, WordsAndNumbersAreTyped) {
   EXPECT_EQ(board.changed, 1);
 }
 
+TEST(Ui, ANumberIsTakenHoweverItsFieldIsLeft) {
+  SEESAW_BOARD_OR_SKIP(window, board);
+  double expected = 2;
+  // Fields before and after it, a button, nothing at all.
+  for (const char* way : {"key enter", "key tab", "key shift+tab", "click \"Words\" -60 +0",
+                          "click \"Value\" -60 +0", "click \"Press me\"", "click 400 380"}) {
+    board.exact = 1;
+    board.changed = 0;
+    board.play(window, "click \"Exact\" -60 +0\nkey ctrl+a\ntext \"" + std::to_string(++expected) + "\"\n" +
+                           way + "\nframes 2\nclick 400 380\nframes 2\n");
+    EXPECT_EQ(board.exact, expected) << way;
+  }
+  board.exact = 1;
+  board.play(
+      window,
+      "click \"Exact\" -60 +0\nkey ctrl+a\ntext \"7\"\nkey escape\nframes 2\nclick 400 380\nframes 2\n");
+  EXPECT_EQ(board.exact, 1) << "Escape takes it back";
+}
+
 TEST(Ui, AChoiceIsChosen) {
   SEESAW_BOARD_OR_SKIP(window, board);
   board.play(window, "click \"Choice\"\nframes 1\nclick \"Two\"\nframes 1\n");
