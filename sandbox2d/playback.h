@@ -3,8 +3,8 @@
 //     playback.start(read_session<2>(path), desk, now);
 //     if (playback.running()) playback.step(desk, now);        each frame
 //
-// A command every thirtieth of a second, as a hand does them; at a label it waits for a moment. What has been done
-// is the desk's, and can be undone.
+// A command every thirtieth of a second, as a hand does them; at a label it waits for a moment. What has been
+// done is the desk's, and can be undone.
 //
 // Before it: core/editing/session.h. After it: Desk::do_again.
 #pragma once

@@ -4,6 +4,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/parallel.h"
+#include "core/implicit/grid_field.h"
+
 namespace seesaw {
 
 namespace {
@@ -14,8 +17,28 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Boundary constraints from which on a draft does not follow the curve at each of them.
-constexpr std::size_t seeded_draft = 300;
+// From so many centers on a draft is drawn from a grid of the function: sampled once, for colors, isolines
+// and curve together. Fewer are as quick themselves, and exact.
+constexpr Index gridded_draft = 150;
+
+// Symbols do not hide the curve where there are thousands: no larger than the way to a neighbor, half of
+// them, and never smaller than can be seen.
+double symbol_size(const Document<2>& document, const PlanView& view, double wanted) {
+  const std::size_t n = document.constraints.size();
+  if (n < 100) return wanted;
+  std::vector<double> nearest;
+  for (std::size_t i = 0; i < n; i += std::max<std::size_t>(1, n / 100)) {
+    double least = infinity;
+    for (std::size_t j = 0; j < n; ++j)
+      if (j != i)
+        least = std::min(
+            least,
+            (document.constraints[i].constraint.at - document.constraints[j].constraint.at).squaredNorm());
+    nearest.push_back(std::sqrt(least));
+  }
+  std::ranges::nth_element(nearest, nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2));
+  return std::clamp(0.9 * view.scale * nearest[nearest.size() / 2], std::min(wanted, 0.3 * wanted), wanted);
+}
 
 }  // namespace
 
@@ -27,7 +50,7 @@ bool SceneWish::operator==(const SceneWish& b) const {
          view.scene.max() == b.view.scene.max();
 }
 
-ScenePicture paint_scene(const SceneWish& wish, const PictureDetail& detail, Raster reuse) {
+ScenePicture paint_scene(const SceneWish& wish, const SceneDetail& detail, Raster reuse) {
   const auto start = Clock::now();
   const Rect page = wish.view.page;
   Canvas canvas(page.width, page.height);
@@ -36,19 +59,25 @@ ScenePicture paint_scene(const SceneWish& wish, const PictureDetail& detail, Ras
   result.view = wish.view;
   Document<2> document = wish.document;
   document.display.view = wish.view.scene;
-  PictureOptions options{.symbol_size = 11 * wish.scale,
+  PictureOptions options{.symbol_size = symbol_size(document, wish.view, 11 * wish.scale),
                          .curve_width = 2.2 * wish.scale,
                          .spike_length = 26 * wish.scale,
                          .text_size = 10 * wish.scale,
-                         .detail = detail};
-  if (wish.other) {
-    const Contour other = detail.every_component
-                              ? contour(document, *wish.other, wish.view.scene)
-                              : contour(*wish.other, wish.view.scene, {.find_hidden = false});
-    options.ghosts = other.polylines;
-  }
-  if (wish.function)
-    result.curve = draw_document(canvas, page, document, *wish.function, options).curve;
+                         .detail = detail.picture};
+  const auto drawn_from =
+      [&](const std::shared_ptr<const Interpolant<2>>& f) -> std::shared_ptr<const Field<2>> {
+    if (!f || detail.grid_columns == 0) return f;
+    const int rows = std::max(1, static_cast<int>(detail.grid_columns * page.height / page.width));
+    return std::make_shared<GridField>(*f, wish.view.scene, detail.grid_columns, rows);
+  };
+  const std::shared_ptr<const Field<2>> function = drawn_from(wish.function), other = drawn_from(wish.other);
+  result.sampling_seconds = seconds_since(start);
+  if (other)
+    options.ghosts = detail.picture.every_component
+                         ? contour(document, *other, wish.view.scene).polylines
+                         : contour(*other, wish.view.scene, {.find_hidden = false}).polylines;
+  if (function)
+    result.curve = draw_document(canvas, page, document, *function, options).curve;
   else
     draw_plain_document(canvas, page, document, options);
   result.raster.paint(canvas, wish.pixel_ratio);
@@ -56,20 +85,31 @@ ScenePicture paint_scene(const SceneWish& wish, const PictureDetail& detail, Ras
   return result;
 }
 
+SceneDetail fine_detail(const SceneWish& wish) {
+  SceneDetail detail;
+  const double centers = wish.function ? static_cast<double>(wish.function->size()) : 0;
+  const double sums = centers * wish.view.page.width * wish.view.page.height;
+  constexpr double most = 4e8;  // half a second
+  if (sums > most) detail.picture.field_samples = std::sqrt(most / sums);
+  return detail;
+}
+
 ScenePainter::~ScenePainter() {
   if (fine_.valid()) fine_.wait();
 }
 
-PictureDetail ScenePainter::draft_detail(const SceneWish& wish) const {
-  const auto centers = static_cast<double>(wish.function ? wish.function->size() : 1);
-  const double points = draft_seconds_ / (seconds_a_sum_ * std::max(1.0, centers));
+SceneDetail ScenePainter::draft_detail(const SceneWish& wish) const {
+  SceneDetail detail;
+  detail.picture = {.curve_cells = 64, .isoline_cells = 64, .field_samples = 0.25};
+  const Index centers = wish.function ? wish.function->size() : 0;
+  if (centers < gridded_draft) return detail;
+  // A gradient is about two sums, and a function to compare with is as many again.
+  const double points =
+      draft_seconds_ / (seconds_a_sum_ * static_cast<double>(centers) * (wish.other ? 4 : 2));
   const Rect page = wish.view.page;
-  const double columns = std::sqrt(0.6 * points * page.width / std::max(1.0, page.height));
-  PictureDetail detail;
-  detail.field_samples = std::clamp(columns / page.width, 0.03, 0.25);
-  detail.curve_cells = std::clamp(static_cast<int>(std::sqrt(0.2 * points)), 32, 128);
-  detail.isoline_cells = std::clamp(static_cast<int>(std::sqrt(0.2 * points)), 24, 64);
-  detail.every_component = wish.document.constraints.size() <= seeded_draft && points > 30'000;
+  detail.grid_columns =
+      std::clamp(static_cast<int>(std::sqrt(points * page.width / std::max(1.0, page.height))), 24, 160);
+  detail.picture.every_component = false;
   return detail;
 }
 
@@ -92,16 +132,15 @@ void ScenePainter::collect(bool wait) {
 void ScenePainter::paint(SceneWish wish, double now, bool moving, bool wait) {
   collect(false);
   if (!wish_ || !(*wish_ == wish)) {
-    const PictureDetail detail = draft_detail(wish);
+    const SceneDetail detail = draft_detail(wish);
     ScenePicture draft = paint_scene(wish, detail, std::move(spare_));
     spare_ = {};
-    if (wish.function && wish.document.display.field) {
-      const Rect page = wish.view.page;
-      const double sums = page.width * page.height * detail.field_samples * detail.field_samples *
-                          static_cast<double>(wish.function->size());
+    if (detail.grid_columns > 0) {
+      const double sums = 2.0 * detail.grid_columns * detail.grid_columns * wish.view.page.height /
+                          wish.view.page.width * static_cast<double>(wish.function->size());
       // Half the way to what was seen: one slow frame is no slow machine.
-      seconds_a_sum_ =
-          std::clamp(0.5 * seconds_a_sum_ + 0.25 * draft.seconds / std::max(1.0, sums), 1e-10, 1e-6);
+      const double seen = draft.sampling_seconds / sums / (wish.other ? 2 : 1);
+      seconds_a_sum_ = std::clamp(0.5 * (seconds_a_sum_ + seen), 1e-10, 1e-6);
     }
     draft_took_ = draft.seconds;
     take(std::move(draft));
@@ -112,7 +151,9 @@ void ScenePainter::paint(SceneWish wish, double now, bool moving, bool wait) {
   if (due && !fine_.valid()) {
     fine_wish_ = wish_;
     fine_ = std::async(std::launch::async, [job = *wish_, arrived = arrived_] {
-      ScenePicture picture = paint_scene(job, {});
+      // Whoever drags meanwhile keeps a core.
+      ScenePicture picture;
+      leaving_a_core([&] { picture = paint_scene(job, fine_detail(job)); });
       if (arrived) arrived();
       return picture;
     });

@@ -1,8 +1,8 @@
 // The picture of the scene in the window: at once while something moves, as fine as in print when it rests.
 //
-// The same draw_document that makes the figures draws both. What it costs is evaluations of f: a draft takes
-// as many as fit into a few milliseconds, measured on the draft before; the fine picture, which takes as long
-// as it takes, is made by another thread while the draft is shown.
+// The same draw_document that makes the figures draws both. What it costs is evaluations of f. A draft of many
+// centers is drawn from a grid with as many points as fit into a few milliseconds, measured on the draft before; the
+// fine picture, which takes as long as it takes, is made by another thread while the draft is shown.
 //
 //     painter.paint(what, now);                      // every frame; does nothing where nothing changed
 //     texture.upload(pixels of painter.picture().raster)
@@ -44,11 +44,22 @@ struct ScenePicture {
   Contour curve;  ///< in what is seen
   PlanView view;
   bool fine = false;
-  double seconds = 0;  ///< what it took
+  double seconds = 0;           ///< what it took
+  double sampling_seconds = 0;  ///< of it, the grid
+};
+
+struct SceneDetail {
+  PictureDetail picture = {};
+  /// Cells across, where the picture is drawn from a grid of the function (core/implicit/grid_field.h); 0 for the
+  /// function itself.
+  int grid_columns = 0;
 };
 
 /// Draws what is wished for, as fine as `detail` says.
-ScenePicture paint_scene(const SceneWish& wish, const PictureDetail& detail, Raster reuse = {});
+ScenePicture paint_scene(const SceneWish& wish, const SceneDetail& detail, Raster reuse = {});
+
+/// The printed page's; with fewer samples of the colors where thousands of centers would take seconds.
+SceneDetail fine_detail(const SceneWish& wish);
 
 class ScenePainter {
  public:
@@ -71,7 +82,7 @@ class ScenePainter {
   /// True while something is still to come: the program should not fall asleep.
   bool busy() const { return !picture_.fine; }
   /// How a draft of so many centers is drawn at present.
-  PictureDetail draft_detail(const SceneWish& wish) const;
+  SceneDetail draft_detail(const SceneWish& wish) const;
 
  private:
   void take(ScenePicture picture);

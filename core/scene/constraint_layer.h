@@ -15,7 +15,7 @@ struct PictureOptions;
 void draw_constraints(Canvas& canvas, const PlanView& view, const Document<2>& document,
                       const PictureOptions& options);
 
-/// Where the symbols stand on the page.
+/// Where the symbols stand on the page; of hundreds that crowd together some stand for the others.
 std::vector<Point<2>> symbol_places(const PlanView& view, const Document<2>& document);
 
 }  // namespace seesaw
