@@ -23,7 +23,10 @@ Scope open_if(bool open, void (*end)()) { return {open, open ? end : nullptr}; }
 }  // namespace
 
 Scope panel(const std::string& title, const Rect& rect, const PanelOptions& options) {
-  int flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+  // One that first appears beside a dialog leaves the keys to it; Dear ImGui 1.86 stops in the very frame in
+  // which the dialog opens, if it may take them.
+  int flags =
+      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
   if (!options.title) flags |= ImGuiWindowFlags_NoTitleBar;
   if (!options.movable)
     flags |= ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoBringToFrontOnFocus;

@@ -124,6 +124,26 @@ TEST(Ui, WordsAndNumbersAreTyped) {
   EXPECT_EQ(board.changed, 1);
 }
 
+TEST(Ui, APanelMayAppearWhileADialogOpens) {
+  SEESAW_WINDOW_OR_SKIP(window, WindowOptions{.width = 480, .height = 400});
+  int pressed = 0;
+  for (const int appears : {0, 1, 5}) {
+    const std::string name = "Panel " + std::to_string(appears), title = "Dialog " + std::to_string(appears);
+    int frame = 0;
+    const auto draw = [&] {
+      if (frame == 0) ui::open_dialog(title);
+      if (const auto dialog = ui::dialog(title, 200)) {
+        if (ui::main_button("Done")) ++pressed, ui::close_dialog();
+      }
+      if (frame++ >= appears)
+        if (const auto panel = ui::panel(name, {0, 0, 480, 400}, {.title = false})) ui::text("here");
+    };
+    play(window, "frames 8\nclick \"Done\"\nframes 2\n", draw);
+    EXPECT_EQ(pressed, 1) << "the dialog stays before it";
+    pressed = 0;
+  }
+}
+
 TEST(Ui, ANumberIsTakenHoweverItsFieldIsLeft) {
   SEESAW_BOARD_OR_SKIP(window, board);
   double expected = 2;
