@@ -31,8 +31,9 @@ class AppStage {
   }
 
   /// To the script's end, and two frames more, in which what was done is seen.
-  void play(const std::string& text) {
-    window_.play(parse_script(text + "\nframes 2\n", "test.script"));
+  void play(const std::string& text) { play(parse_script(text + "\nframes 2\n", "test.script")); }
+  void play(Script script) {
+    window_.play(std::move(script));
     while (!window_.script_over()) {
       step();
       window_.end_frame();
