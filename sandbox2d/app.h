@@ -82,14 +82,16 @@ class App {
  private:
   // app.cpp
   void place_everything();
-  void draw_scene();
-  void draw_plate();
-  void draw_profile_chart();
   void draw_status();
   void look_after_settings();
   void look_after_autosave();
   /// Whether the view is the one that the document asks for.
   bool shows_as_saved() const;
+
+  // app_pictures.cpp
+  void draw_scene();
+  void draw_plate();
+  void draw_profile_chart();
   /// The document is changing under a hand.
   bool moving() const;
   bool scripted() const { return window_.clock().is_fixed(); }
