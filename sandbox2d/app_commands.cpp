@@ -149,6 +149,8 @@ void App::tour_to(int step) {
 }
 
 void App::when_kept(std::function<void()> then) {
+  // It would go on in the document that comes.
+  if (playback_.running()) playback_.stop(desk_);
   desk_.let_go();
   if (!desk_.unsaved()) return then();
   std::string name = desk_.name();

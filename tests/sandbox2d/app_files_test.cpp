@@ -195,6 +195,46 @@ TEST(AppFiles, ARecordedSessionIsDoneAgain) {
   EXPECT_EQ(bits_of(stage.document()), bits_of(read_scene(gallery().front())));
 }
 
+TEST(AppFiles, ASessionIsReplayedBeforeOnesEyes) {
+  SEESAW_WINDOW_OR_SKIP(window, WindowOptions{.width = 700, .height = 480});
+  ScratchFolder folder;
+  AppStage stage(window);
+  const std::string start = bits_of(stage.document());
+  stage.play("key ctrl+r\n" + stage.drag(stage.at(0), stage.at(0) * 1.3, 12) + "key k\nkey ctrl+r\n" +
+             saved_as(folder / "session.json"));
+  const std::string recorded = bits_of(stage.document());
+  const std::string mine = "click \"Don't save\"\nframes 3\n";
+  const auto replay = [&](const std::string& unsaved) {
+    return "key ctrl+shift+r\nframes 3\n" + unsaved + typed(folder / "session.json") +
+           "key enter\nframes 2\n";
+  };
+  stage.play(replay(mine));
+  EXPECT_SAID(stage, "replaying");
+  EXPECT_EQ(bits_of(stage.document()), start) << "it begins at the beginning";
+  stage.play("frames 130");
+  EXPECT_SAID(stage, "all of it");
+  EXPECT_EQ(bits_of(stage.document()), recorded);
+
+  // A hand stops it, and what was done until then can be undone.
+  stage.play(replay(mine) + "frames 72\nkey escape");
+  EXPECT_SAID(stage, "stopped");
+  const std::string stopped = bits_of(stage.document());
+  EXPECT_NE(stopped, start);
+  EXPECT_NE(stopped, recorded);
+  stage.play("frames 130");
+  EXPECT_EQ(bits_of(stage.document()), stopped);
+  EXPECT_GT(stage.steps(), 0u);
+  while (stage.steps() > 0) stage.play("key ctrl+z");
+  EXPECT_EQ(bits_of(stage.document()), start);
+
+  // It never goes on in a document that has come meanwhile.
+  stage.play(replay("") + "frames 72\ndrop \"" + scenes_of_figures +
+             "seesaw.json\"\nframes 2\nclick \"Don't save\"");
+  stage.play("frames 130");
+  EXPECT_EQ(bits_of(stage.desk().to_save()), bits_of(read_document<2>(scenes_of_figures + "seesaw.json")));
+  EXPECT_EQ(stage.steps(), 0u);
+}
+
 TEST(AppFiles, AFileGivenAtTheStart) {
   SEESAW_WINDOW_OR_SKIP(window, app_window);
   ScratchFolder folder;
