@@ -57,11 +57,13 @@ void SidePanel::function(Desk& desk, const std::function<void(DeskCommand)>& act
        SetSmoothing{std::max(0.0, smoothing)});
   if (ui::last_hovered())
     ui::tooltip("0 passes through every constraint exactly; more lets the curve miss them to be smoother");
+  // With large letters the panel is narrow, and the last button stands below the others.
+  const bool in_a_row = ui::buttons_width({"Remember", "Compare", "Kernels"}) <= ui::width_left();
   if (ui::button("Remember##before")) act(DeskCommand::remember);
   ui::same_line();
   bool before = desk.other_name() == "before";
   if (ui::tool_button("Compare", before)) act(DeskCommand::compare);
-  ui::same_line();
+  if (in_a_row) ui::same_line();
   if (ui::tool_button("Kernels", !desk.other_name().empty() && !before)) act(DeskCommand::compare_kernels);
 }
 
@@ -160,11 +162,12 @@ void SidePanel::several(Desk& desk, const std::function<void(DeskCommand)>& act)
     if (by_kind[k] > 0)
       words += " " + std::to_string(by_kind[k]) + " " + kind_names()[static_cast<std::size_t>(k)];
   ui::paragraph(words);
+  const bool in_a_row = ui::buttons_width({"Delete", "Duplicate", "Add normals"}) <= ui::width_left();
   if (ui::button("Delete")) act(DeskCommand::delete_selection);
   ui::same_line();
   if (ui::button("Duplicate")) act(DeskCommand::duplicate);
   if (by_kind[0] > 0) {
-    ui::same_line();
+    if (in_a_row) ui::same_line();
     if (ui::button("Add normals")) act(DeskCommand::add_normals);
   }
 }
@@ -221,7 +224,10 @@ void draw_switches(Desk& desk, Shown& shown, const std::function<void(DeskComman
               {"grid lines", display.grid, C::toggle_grid},
               {"snap to grid", desk.grid().on, C::toggle_snap},
               {"scale bar", display.scale_bar, C::toggle_scale_bar}};
-  const auto table = ui::table("switches", {"", ""}, false, {1, 1});
+  // Side by side where there is room for the longest name twice.
+  const double wide = ui::text_width("see-saw plate") + 36 * ui::scale();
+  const std::size_t columns = 2 * wide <= ui::width_left() ? 2 : 1;
+  const auto table = ui::table("switches", std::vector<std::string>(columns), false, {1, 1});
   if (!table) return;
   for (const auto& row : rows) {
     ui::next_cell();
