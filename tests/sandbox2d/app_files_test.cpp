@@ -135,7 +135,7 @@ TEST(AppFiles, BrokenHugeAndForeignFilesAreRefusedInWords) {
       {folder / "picture.png", "picture.png"},
       {scenes_of_figures + "kernels-3d.json", "dimension"},
       {folder / "none.json", "none.json"},
-      {folder.path(), folder.path().filename().c_str()},
+      {folder.path(), "is a folder"},
       {folder / "zeros.json", "zeros.json"},
       {folder / "huge.json", "huge.json"}};
   // Sparse: no disk is needed.
