@@ -253,7 +253,7 @@ TEST(AppFiles, AFileGivenAtTheStart) {
 
 // The dialog's way, by a typed name: the same bytes as `figures render` of the scene.
 TEST(AppFiles, ExportsOfTheGalleryAreTheFigures) {
-  SEESAW_WINDOW_OR_SKIP(window, app_window);
+  SEESAW_WINDOW_OR_SKIP(window, WindowOptions{.width = 640, .height = 480});
   ScratchFolder folder;
   AppStage stage(window);
   for (const GalleryEntry& entry : gallery()) {
