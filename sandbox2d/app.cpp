@@ -25,6 +25,14 @@ DeskOptions desk_options(Window& window, const BackgroundSolver<2>& solver,
   return options;
 }
 
+// The smoothest function that is 0 at some places is 0.
+bool asks_for_zero_alone(const Document<2>& document) {
+  for (const auto& each : document.constraints)
+    if (each.constraint.value != 0 || (each.constraint.normal && each.constraint.normal->value != 0))
+      return false;
+  return true;
+}
+
 std::filesystem::path in_state(const std::filesystem::path& state, const char* name) {
   return state.empty() ? std::filesystem::path() : state / name;
 }
@@ -96,7 +104,12 @@ void App::handle(const Input& input) {
     playback_.stop(desk_);
     return desk_.say("stopped; what was done can be undone");
   }
+  const auto* key = std::get_if<KeyDown>(&*event);
   act_on(desk_.handle(*event));
+  if (key && command_of(key->key, key->held) == DeskCommand::fit) {
+    plate_.rescale();
+    shown_view_ = desk_.view();
+  }
 }
 
 void App::place_everything() {
@@ -108,13 +121,18 @@ void App::place_everything() {
                        .plate = shown_.plate,
                        .profile = desk_.profile().has_value(),
                        .tour = tour_.running()});
+  if (shown_view_ && !(*shown_view_ == desk_.view())) shown_view_.reset();
   const bool resized =
       desk_.view().width() != layout_.scene.width || desk_.view().height() != layout_.scene.height;
   if (!resized) return;
-  // A figure that was just as the document has it stays so when panels come and go.
-  const bool as_saved = shows_as_saved();
+  // What was shown as a whole, by its document's view or by F, stays so when panels come and go.
+  const bool as_saved = shows_as_saved(), whole = shown_view_.has_value();
   desk_.view().resize(layout_.scene.width, layout_.scene.height);
-  if (as_saved) desk_.show_as_saved();
+  if (as_saved)
+    desk_.show_as_saved();
+  else if (whole)
+    desk_.fit();
+  if (whole) shown_view_ = desk_.view();
 }
 
 bool App::shows_as_saved() const {
@@ -211,12 +229,15 @@ void App::draw_status() {
   if (message.number != message_seen_) {
     message_seen_ = message.number;
     message_since_ = now;
+    message_of_ = {desk_.revision(), desk_.tool()};
   }
   const Shape<2>& shape = desk_.shape();
   const auto reading = [&]() -> std::string {
     const auto cursor = desk_.cursor();
     if (!cursor || !pointer_in_scene_) return "";
-    std::string words = "x " + to_text(cursor->x(), 4) + "   y " + to_text(cursor->y(), 4);
+    const double pixel = desk_.view().pixel();
+    std::string words = "x " + to_text(cursor->x(), digits_for(cursor->x(), pixel)) + "   y " +
+                        to_text(cursor->y(), digits_for(cursor->y(), pixel));
     if (shape.function) words += "   f " + to_text(shape.function->value(*cursor), 3);
     return words;
   }();
@@ -224,7 +245,9 @@ void App::draw_status() {
   const UiColors colors = ui::colors();
   std::string words;
   Color color = colors.soft_ink;
-  const bool fresh = message.number > 0 && !message.text.empty() && now - message_since_ < message_stays;
+  // Until its time is over, or something else has been done.
+  const bool fresh = message.number > 0 && !message.text.empty() && now - message_since_ < message_stays &&
+                     message_of_ == std::pair(desk_.revision(), desk_.tool());
   // What was just asked for and refused comes before what has been wrong for a while.
   const bool first = fresh && (message.trouble || desk_.editor().size() == 0);
   if (shape.impossible && !first) {
@@ -235,6 +258,9 @@ void App::draw_status() {
     color = message.trouble ? colors.warning : colors.ink;
   } else if (shape.pending) {
     words = "solving " + std::to_string(desk_.editor().size()) + " constraints\u2026";
+    color = colors.accent;
+  } else if (shape.function && asks_for_zero_alone(desk_.document())) {
+    words = "f is 0 everywhere: an interior, exterior or normal constraint says which side is which";
     color = colors.accent;
   } else {
     words = tool_infos()[static_cast<std::size_t>(desk_.tool())].hint;

@@ -170,6 +170,9 @@ class App {
   bool pointer_in_scene_ = false, shift_ = false;
   std::uint64_t message_seen_ = 0;
   double message_since_ = -100;
+  std::pair<std::uint64_t, Tool> message_of_;  // what the desk was like when it came
+  /// The view as it was when all was shown, until a hand moves it.
+  std::optional<View2D> shown_view_;
   std::string title_;
   double export_scale_ = 2;
   bool tour_seen_ = false;

@@ -30,7 +30,10 @@ void App::act(DeskCommand command) {
   }
   // What is left over is for here.
   const std::optional<C> mine = desk_.perform(command);
-  if (command == C::fit) plate_.rescale();
+  if (command == C::fit) {
+    plate_.rescale();
+    shown_view_ = desk_.view();
+  }
   if (!mine) return;
   switch (*mine) {
     case C::edit_values:
@@ -92,6 +95,7 @@ void App::act(DeskCommand command) {
 }
 
 void App::new_document_shown() {
+  if (!desk_.display().view) shown_view_ = desk_.view();
   plate_.rescale();
   plate_.reset_view();
   profile_range_.reset();
@@ -168,8 +172,9 @@ void App::save(std::function<void()> then) {
 }
 
 void App::ask_save(std::function<void()> then) {
-  std::filesystem::path suggested = desk_.path();
-  if (suggested.empty()) suggested = settings_.settings().last_folder / "scene.json";
+  std::error_code error;
+  std::filesystem::path suggested = settings_.settings().last_folder / "scene.json";
+  if (!desk_.path().empty()) suggested = std::filesystem::absolute(desk_.path(), error);
   files_.set_places(places());
   files_.ask_save("Save", {{".json", "Scene"}}, suggested, [this, then](const std::filesystem::path& path) {
     if (!desk_.save(path)) throw Error(desk_.message().text);
@@ -187,7 +192,9 @@ FilePlaces App::places() const {
 
 void App::ask_open() {
   files_.set_places(places());
-  std::filesystem::path folder = desk_.path().parent_path();
+  std::error_code error;
+  std::filesystem::path folder;
+  if (!desk_.path().empty()) folder = std::filesystem::absolute(desk_.path(), error).parent_path();
   if (folder.empty()) folder = settings_.settings().last_folder;
   files_.ask_open("Open", scene_kinds(), folder, [this](const std::filesystem::path& path) {
     if (!desk_.open(path)) throw Error(desk_.message().text);
@@ -211,8 +218,9 @@ void App::ask_replay() {
 void App::ask_export() {
   if (!desk_.shape().function) return desk_.say("there is no curve to export yet", true);
   files_.set_places(places());
-  std::filesystem::path suggested = desk_.path();
-  if (suggested.empty()) suggested = settings_.settings().last_folder / "curve.png";
+  std::error_code error;
+  std::filesystem::path suggested = settings_.settings().last_folder / "curve.png";
+  if (!desk_.path().empty()) suggested = std::filesystem::absolute(desk_.path(), error);
   suggested.replace_extension(".png");
   files_.ask_save(
       "Export", export_kinds(), suggested,

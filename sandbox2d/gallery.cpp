@@ -37,7 +37,7 @@ const std::vector<GalleryEntry>& gallery() {
       {"turk2002-fig01-left.json",
        "Figure 1, left",
        "Four boundary constraints and one interior constraint: a closed curve.",
-       "Drag the plus sign out of the curve, or pull its value up with the slider.",
+       "Drag the plus sign toward a circle and beyond: the curve follows what is inside.",
        false,
        {}},
       {"turk2002-fig01-right.json",
@@ -49,7 +49,8 @@ const std::vector<GalleryEntry>& gallery() {
       {"turk2002-fig04-left.json",
        "Figure 4, left",
        "A cage of exterior constraints closes the curve through two boundary constraints.",
-       "Select the cage with Shift+E and delete it: the curve opens. Undo brings it back.",
+       "Select the cage with Shift+E and delete it: nothing says what is outside, and there is no curve. "
+       "Undo.",
        false,
        {}},
       {"turk2002-fig04-right.json",
@@ -73,7 +74,7 @@ const std::vector<GalleryEntry>& gallery() {
       {"seesaw.json", "The see-saw",
        "Each boundary constraint acts much like a see-saw: pull up on one side, and the other side goes "
        "down.",
-       "Pull the interior value up with the slider and watch the plate tip about the red circle.", true,
+       "Pull the interior value up with the slider: the plate tips about the circles, which stay at 0.", true,
        ProfileLine{{-0.3, 0.7286}, {0.63, -1.53}}},
       {"knot-insertion.json",
        "New constraints",

@@ -240,7 +240,9 @@ class Overlay {
     const Hit hit = desk_.hover();
     if (hit.which < 0 || hit.which >= desk_.editor().size()) return;
     const Constraint<2>& c = desk_.constraint(hit.which);
-    std::string words = "(" + to_text(c.at.x(), 3) + ", " + to_text(c.at.y(), 3) + ")";
+    const double pixel = desk_.view().pixel();
+    std::string words = "(" + to_text(c.at.x(), digits_for(c.at.x(), pixel)) + ", " +
+                        to_text(c.at.y(), digits_for(c.at.y(), pixel)) + ")";
     if (hit.over == Over::spike && c.normal)
       words = "normal (" + to_text(c.normal->direction.x(), 3) + ", " + to_text(c.normal->direction.y(), 3) +
               "), value " + to_text(c.normal->value, 3);

@@ -1,5 +1,7 @@
 #include "sandbox2d/playback.h"
 
+#include "core/base/error.h"
+
 namespace seesaw {
 
 namespace {
@@ -9,6 +11,11 @@ constexpr double between_commands = 1.0 / 30, at_a_label = 1.0;  // seconds
 }  // namespace
 
 void Playback::start(Session<2> session, Desk& desk, double now) {
+  const auto count = static_cast<Index>(session.start.constraints.size());
+  if (count > desk.most_constraints())
+    throw FileError(session.name.empty() ? "the session" : session.name,
+                    "begins with " + std::to_string(count) + " constraints; up to " +
+                        std::to_string(desk.most_constraints()) + " can be edited");
   session_ = std::move(session);
   next_ = 0;
   due_ = now + at_a_label;

@@ -17,7 +17,8 @@ namespace seesaw {
 
 class Playback {
  public:
-  /// The session's start becomes the desk's document, without a file. `now` in seconds.
+  /// The session's start becomes the desk's document, without a file. `now` in seconds. Throws FileError
+  /// where it has more constraints than the desk takes; nothing has changed then.
   void start(Session<2> session, Desk& desk, double now);
   bool running() const { return next_ < session_.commands.size(); }
   /// Does what is due. Ends where a command is refused: the desk says why.

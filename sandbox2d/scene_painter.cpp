@@ -87,6 +87,9 @@ ScenePicture paint_scene(const SceneWish& wish, const SceneDetail& detail, Raste
 
 SceneDetail fine_detail(const SceneWish& wish) {
   SceneDetail detail;
+  // Numbers are measured on this curve, too.
+  detail.picture.curve_cells = 256;
+  detail.picture.most_vertices = 50'000;
   const double centers = wish.function ? static_cast<double>(wish.function->size()) : 0;
   const double sums = centers * wish.view.page.width * wish.view.page.height;
   constexpr double most = 4e8;  // half a second
@@ -100,7 +103,7 @@ ScenePainter::~ScenePainter() {
 
 SceneDetail ScenePainter::draft_detail(const SceneWish& wish) const {
   SceneDetail detail;
-  detail.picture = {.curve_cells = 64, .isoline_cells = 64, .field_samples = 0.25};
+  detail.picture = {.curve_cells = 64, .isoline_cells = 64, .field_samples = 0.25, .most_vertices = 10'000};
   const Index centers = wish.function ? wish.function->size() : 0;
   if (centers < gridded_draft) return detail;
   // A gradient is about two sums, and a function to compare with is as many again.

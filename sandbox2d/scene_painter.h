@@ -1,8 +1,9 @@
 // The picture of the scene in the window: at once while something moves, as fine as in print when it rests.
 //
-// The same draw_document that makes the figures draws both. What it costs is evaluations of f. A draft of many
-// centers is drawn from a grid with as many points as fit into a few milliseconds, measured on the draft before; the
-// fine picture, which takes as long as it takes, is made by another thread while the draft is shown.
+// The same draw_document that makes the figures draws both. What it costs is evaluations of f. A draft of
+// many centers is drawn from a grid with as many points as fit into a few milliseconds, measured on the draft
+// before; the fine picture, which takes as long as it takes, is made by another thread while the draft is
+// shown.
 //
 //     painter.paint(what, now);                      // every frame; does nothing where nothing changed
 //     texture.upload(pixels of painter.picture().raster)
@@ -50,8 +51,8 @@ struct ScenePicture {
 
 struct SceneDetail {
   PictureDetail picture = {};
-  /// Cells across, where the picture is drawn from a grid of the function (core/implicit/grid_field.h); 0 for the
-  /// function itself.
+  /// Cells across, where the picture is drawn from a grid of the function (core/implicit/grid_field.h); 0 for
+  /// the function itself.
   int grid_columns = 0;
 };
 

@@ -27,6 +27,13 @@ void tell(Desk& desk, const ui::Edit& edit, const Action<2>& action) {
 // How fast a number is dragged: a pixel of the picture for a pixel of the hand.
 double pixel_of(const Desk& desk) { return desk.view().pixel(); }
 
+// A digit more than tells a pixel from the next.
+const char* place_format(double value, double pixel) {
+  static const char* const formats[] = {"%.4g",  "%.5g",  "%.6g",  "%.7g",  "%.8g",  "%.9g",  "%.10g",
+                                        "%.11g", "%.12g", "%.13g", "%.14g", "%.15g", "%.16g", "%.17g"};
+  return formats[std::clamp(digits_for(value, pixel) + 1 - 4, 0, 13)];
+}
+
 }  // namespace
 
 void SidePanel::draw(const Rect& place, Desk& desk, Shown& shown, const LiveNumbers& numbers,
@@ -68,37 +75,31 @@ void SidePanel::function(Desk& desk, const std::function<void(DeskCommand)>& act
 }
 
 // The see-saw's lever: values of what is selected, or of all interior constraints.
-void SidePanel::lever(Desk& desk) {
-  std::vector<Index> which;
-  ConstraintKind kind = ConstraintKind::interior;
-  for (const Index i : desk.selection().indices())
-    if (desk.constraint(i).kind != ConstraintKind::boundary) which.push_back(i);
-  const bool of_selection = !which.empty();
-  if (which.empty()) which = all_of(desk.document(), ConstraintKind::interior);
-  if (which.empty()) return;
-  kind = desk.constraint(which.front()).kind;
+void SidePanel::lever(Desk& desk, ConstraintKind kind) {
+  std::vector<Index> which = desk.selection().indices();
   std::erase_if(which, [&](Index i) { return desk.constraint(i).kind != kind; });
-  const double sign = kind == ConstraintKind::interior ? 1 : -1;
-  double size = sign * desk.constraint(which.front()).value;
-  const bool at_rest = desk.gesture() == Gesture::none;
-  if (at_rest && (size > lever_reach_ || size < lever_reach_ / 12))
-    lever_reach_ = std::max(3.0, std::pow(10.0, std::ceil(std::log10(1.2 * size))));
-  const std::string label = kind == ConstraintKind::interior ? "interior value" : "exterior value";
+  const bool of_selection = !which.empty(), inner = kind == ConstraintKind::interior;
+  if (which.empty() && inner) which = all_of(desk.document(), kind);
+  if (which.empty()) return;
+  const double sign = inner ? 1 : -1;
+  const double size = sign * desk.constraint(which.front()).value;
+  double& reach = reach_[inner ? 0 : 1];
+  if (!desk.sliding() && desk.gesture() == Gesture::none && (size > reach || size < reach / 12))
+    reach = std::max(3.0, std::pow(10.0, std::ceil(std::log10(1.2 * size))));
   double value = sign * size;
-  const double near = sign * 0.01, far = sign * lever_reach_;
-  const ui::Edit edit =
-      ui::slider(label, value, std::min(near, far), std::max(near, far), {.format = "%.3f"});
+  const double near = sign * 0.01, far = sign * reach;
+  const ui::Edit edit = ui::slider(inner ? "interior value" : "exterior value", value, std::min(near, far),
+                                   std::max(near, far), {.format = "%.3f"});
   if (edit.changed && sign * value > 0) desk.slide(SetValue{which, value});
   if (edit.ended) desk.let_go();
-  if (ui::last_hovered())
-    ui::tooltip(
-        of_selection
-            ? "f at what is selected: pull it, and the plate tips about the boundary constraints"
-            : "f at every interior constraint: pull it, and the plate tips about the boundary constraints");
+  if (ui::last_hovered() && !desk.sliding())
+    ui::tooltip(std::string(of_selection ? "f at what is selected" : "f at every interior constraint") +
+                ": pull it, and the plate tips about the boundary constraints");
 }
 
 void SidePanel::selection(Desk& desk, const std::function<void(DeskCommand)>& act) {
-  lever(desk);
+  lever(desk, ConstraintKind::interior);
+  lever(desk, ConstraintKind::exterior);
   const Selection& chosen = desk.selection();
   if (chosen.empty())
     ui::soft_text(desk.editor().size() == 0 ? "Place constraints: B, I, E and a click."
@@ -117,7 +118,8 @@ void SidePanel::one_constraint(Desk& desk, Index which, const std::function<void
   if (ui::choice("kind", kind, kind_names())) desk.apply(SetKind{{which}, static_cast<ConstraintKind>(kind)});
   for (int axis = 0; axis < 2; ++axis) {
     Point<2> to = c.at;
-    const ui::Edit edit = ui::drag_number(axis == 0 ? "x" : "y", to[axis], pixel_of(desk), "%.5g");
+    const ui::Edit edit = ui::drag_number(axis == 0 ? "x" : "y", to[axis], pixel_of(desk),
+                                          place_format(to[axis], pixel_of(desk)));
     tell(desk, edit, MoveTo<2>{which, to});
   }
   const std::vector<double> weights = constraint_weights(desk).own;
@@ -190,8 +192,8 @@ void draw_numbers(Desk& desk, const LiveNumbers& numbers) {
       pieces += " (" + std::to_string(curve.components - curve.closed) + " cut)";
     ui::fact("components in view", pieces);
     // Where f is zero everywhere, or all that is seen is inside, there is no curve around an area.
-    ui::fact("area inside, in view", curve.components > 0 ? to_text(curve.area, 5) : "\u2013");
-    ui::fact("length of the curve", to_text(curve.length, 5));
+    ui::fact("area inside, in view", curve.components > 0 ? to_text(curve.area, 4) : "\u2013");
+    ui::fact("length of the curve", to_text(curve.length, 4));
     ui::fact("bending energy", to_text(shape.report.energy, 5));
     ui::fact("condition", shape.report.reciprocal_condition > 0
                               ? to_text(1 / shape.report.reciprocal_condition, 2)
@@ -200,7 +202,7 @@ void draw_numbers(Desk& desk, const LiveNumbers& numbers) {
     if (numbers.refit_difference) ui::fact("off a fresh fit", to_text(*numbers.refit_difference, 2));
   }
   const auto took = [](const std::optional<double>& seconds) {
-    return seconds ? to_text(1e3 * *seconds, 2) + " ms" : std::string("\u2013");
+    return seconds ? to_text(1e3 * *seconds, *seconds < 0.1 ? 2 : 3) + " ms" : std::string("\u2013");
   };
   ui::fact("solve", numbers.solving ? "at work" : took(numbers.solve_seconds));
   ui::fact("draw", took(numbers.draw_seconds));

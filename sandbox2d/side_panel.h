@@ -42,10 +42,10 @@ class SidePanel {
   void selection(Desk& desk, const std::function<void(DeskCommand)>& act);
   void one_constraint(Desk& desk, Index which, const std::function<void(DeskCommand)>& act);
   void several(Desk& desk, const std::function<void(DeskCommand)>& act);
-  void lever(Desk& desk);
+  void lever(Desk& desk, ConstraintKind kind);
   void normal(Desk& desk, Index which);
 
-  double lever_reach_ = 3;  // the slider's far end, kept while it is dragged
+  double reach_[2] = {3, 3};  // the sliders' far ends, interior and exterior, kept while they are dragged
 };
 
 /// Constraints by kind, the function's report, the curve's measures, times.

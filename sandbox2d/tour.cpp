@@ -56,7 +56,7 @@ constexpr Index north_west = 2;  // in turk2002-fig05-left.json
 std::vector<TourStep> make_steps() {
   std::vector<TourStep> steps;
   steps.push_back(
-      {.title = "Boundary and interior constraints",
+      {.title = "Two kinds of constraints",
        .words =
            "Each circle is a boundary constraint: f is to be 0 there, so the curve is to pass there. The "
            "smoothest function that is 0 at all of them is 0 everywhere, and there is no curve yet. One "
@@ -102,8 +102,11 @@ std::vector<TourStep> make_steps() {
       {.title = "The see-saw",
        .words =
            "At the right f stands as a plate over the plane f = 0. Each boundary constraint acts much like a "
-           "see-saw: pull the plate up on one side, and the other side goes down. That is why the curve "
-           "closes.",
+           "see-saw: pull the plate up on one side, and the other side goes down. So f changes its sign at "
+           "every "
+           "boundary constraint, and the curve closes. (With one interior constraint all of f grows, and the "
+           "curve "
+           "itself stands still.)",
        .task = "Pull \u201cinterior value\u201d in the side panel up to 2, and watch the plate tip.",
        .scene = [] { return of_gallery("seesaw.json"); },
        .done =
@@ -117,7 +120,7 @@ std::vector<TourStep> make_steps() {
        .profile = ProfileLine{{-0.3, 0.7286}, {0.63, -1.53}},
        .pointed = {}});
   steps.push_back(
-      {.title = "New constraints change nothing, until they are moved",
+      {.title = "New constraints",
        .words =
            "On the curve f is 0 already. A boundary constraint placed there asks for nothing new, and the "
            "least bent function stays what it is (section 5). So a curve is refined without being disturbed.",
@@ -128,7 +131,7 @@ std::vector<TourStep> make_steps() {
              return count(desk.document(), ConstraintKind::boundary) > count(scene, ConstraintKind::boundary);
            }});
   steps.push_back(
-      {.title = "That is all there is to it",
+      {.title = "That is all",
        .words =
            "F2 opens the papers\u2019 figures, each with something to try. F1 lists every key. Nothing can "
            "be broken: Ctrl+Z goes back as far as you like.",
@@ -171,22 +174,10 @@ Tour::Wish Tour::frame(const Rect& place) {
   if (!running()) return Wish::none;
   const TourStep& step = tour_steps()[static_cast<std::size_t>(step_)];
   const int steps = static_cast<int>(tour_steps().size());
-  const double s = ui::scale();
   const auto panel = ui::panel("Tour", place, {.title = false});
   if (!panel) return Wish::none;
-  ui::bold_text(step.title);
-  ui::same_line();
-  const std::string where = "Tour, " + std::to_string(step_ + 1) + " of " + std::to_string(steps);
-  ui::flush_right(ui::text_width(where));
-  ui::soft_text(where);
-  ui::paragraph(step.words);
-  if (*step.task) {
-    ui::gap(2 * s);
-    ui::colored_text(done_ ? "\u2713 Done. Go on, or play with it." : step.task, ui::colors().accent);
-  }
+  // First, so that they are there however little room the words have.
   Wish wish = Wish::none;
-  const double line = ui::line_height();
-  if (ui::height_left() > line) ui::gap(ui::height_left() - line - 4 * s);
   {
     const auto off = ui::disabled(step_ == 0);
     if (ui::button("Back")) wish = Wish::back;
@@ -198,6 +189,12 @@ Tour::Wish Tour::frame(const Rect& place) {
     ui::same_line();
   }
   if (ui::button(last ? "End the tour" : "Stop")) wish = Wish::stop;
+  ui::same_line();
+  ui::soft_text(std::to_string(step_ + 1) + " of " + std::to_string(steps));
+  ui::bold_text(step.title);
+  if (*step.task)
+    ui::colored_text(done_ ? "\u2713 Done. Go on, or play with it." : step.task, ui::colors().accent);
+  ui::paragraph(step.words);
   return wish;
 }
 

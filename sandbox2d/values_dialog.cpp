@@ -1,8 +1,10 @@
 #include "sandbox2d/values_dialog.h"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/window/ui.h"
 
 namespace seesaw {
@@ -11,6 +13,15 @@ namespace {
 
 constexpr const char* values_title = "Numbers of a constraint";
 constexpr double radians_a_degree = M_PI / 180;
+
+// The fewest digits that are this very number: 1.15, not 1.1499999999999999.
+const char* exact_format(double value) {
+  static const char* const formats[] = {"%.6g", "%.8g", "%.10g", "%.12g", "%.14g", "%.15g", "%.16g", "%.17g"};
+  constexpr int digits[] = {6, 8, 10, 12, 14, 15, 16, 17};
+  for (std::size_t i = 0; i < std::size(digits); ++i)
+    if (std::stod(to_text(value, digits[i])) == value) return formats[i];
+  return "%.17g";
+}
 
 }  // namespace
 
@@ -69,11 +80,13 @@ void ValuesDialog::frame(Desk& desk) {
   if (!dialog) return;
   if (which_ < 0 || which_ >= desk.editor().size()) return ui::close_dialog();
   const auto width = ui::item_width(200 * s);
-  ui::soft_text("constraint " + std::to_string(which_));
+  const Index selected = desk.selection().size();
+  ui::soft_text("constraint " + std::to_string(which_) +
+                (selected > 1 ? ", the first of " + std::to_string(selected) + " that are selected" : ""));
   if (fresh_) ui::focus_next();
   fresh_ = false;
-  ui::number("x", c_.at.x(), 0, "%.17g");
-  ui::number("y", c_.at.y(), 0, "%.17g");
+  ui::number("x", c_.at.x(), 0, exact_format(c_.at.x()));
+  ui::number("y", c_.at.y(), 0, exact_format(c_.at.y()));
   int kind = static_cast<int>(c_.kind);
   if (ui::choice("kind##typed", kind, {"boundary", "interior", "exterior"})) {
     c_.kind = static_cast<ConstraintKind>(kind);
@@ -82,13 +95,13 @@ void ValuesDialog::frame(Desk& desk) {
                            : -std::abs(c_.value == 0 ? 1 : c_.value);
   }
   if (c_.kind != ConstraintKind::boundary) {
-    ui::number("value", c_.value, 0, "%.17g");
+    ui::number("value", c_.value, 0, exact_format(c_.value));
   } else {
     ui::checkbox("has a normal", has_normal_);
     if (has_normal_) {
       ui::number("direction, degrees", degrees_, 0, "%.10g");
-      ui::number("offset", normal_.offset, 0, "%.17g");
-      ui::number("value there", normal_.value, 0, "%.17g");
+      ui::number("offset", normal_.offset, 0, exact_format(normal_.offset));
+      ui::number("value there", normal_.value, 0, exact_format(normal_.value));
     }
   }
   if (!trouble_.empty()) ui::colored_text(trouble_, ui::colors().warning);

@@ -1,7 +1,9 @@
 #include "core/base/text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace seesaw {
 
@@ -24,6 +26,12 @@ std::optional<double> parse_number(std::string_view text) {
   const auto again = std::from_chars(text.data(), text.data() + text.size(), wide);
   if (again.ec != std::errc()) return std::nullopt;
   return static_cast<double>(wide);
+}
+
+int digits_for(double value, double step) {
+  const double size = std::max(std::abs(value), step);
+  if (!std::isfinite(size) || !(step > 0)) return 17;
+  return std::clamp(1 + static_cast<int>(std::ceil(std::log10(size / step))), 3, 17);
 }
 
 }  // namespace seesaw

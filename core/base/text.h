@@ -11,6 +11,10 @@ namespace seesaw {
 /// to the same double. Not a number is "nan", infinity "inf".
 std::string to_text(double value, int digits = 6);
 
+/// As many significant digits, 3 to 17, as tell `value` from its neighbors a `step` > 0 away: a coordinate where a
+/// pixel is a `step`.
+int digits_for(double value, double step);
+
 /// The number that `text` holds from its first to its last character, or nothing. "nan" and "inf" are numbers
 /// here, 1e400 is infinity and 1e-400 zero; the caller refuses what makes no sense. A leading '+' is allowed.
 std::optional<double> parse_number(std::string_view text);

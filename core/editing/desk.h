@@ -141,6 +141,8 @@ class Desk {
   const Display<2>& display() const { return display_; }
   const DeskMessage& message() const { return message_; }
   double scale() const { return scale_; }
+  /// DeskOptions::most_constraints.
+  Index most_constraints() const { return options_.most_constraints; }
 
   /// The shape to compare with: that of "before", or of another kernel. Null for none. Lives until something
   /// is done.

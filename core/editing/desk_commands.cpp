@@ -176,7 +176,8 @@ void Desk::run_display(DeskCommand command) {
       return say(before_ ? "remembered: O compares with it" : "there is no shape to remember yet", !before_);
     case C::compare:
       if (!before_) return say("nothing is remembered yet: M remembers the shape as it is", true);
-      return toggle(comparing_);
+      toggle(comparing_);
+      return say(comparing_ ? "compared with what was remembered, dashed" : "no longer compared");
     case C::compare_kernels: {
       // None, then each of the others, then none again.
       std::vector<std::optional<Kernel>> round = {std::nullopt};

@@ -83,7 +83,7 @@ void Desk::exchange(Document<2> document) {
   let_go();
   const bool was_saved = !unsaved();
   const Display<2> display = document.display;
-  if (!did(Restore<2>{std::move(document)})) return;
+  if (!(document == editor_.document()) && !did(Restore<2>{std::move(document)})) return;
   selection_.clear();
   profile_.reset();
   comparing_ = false;

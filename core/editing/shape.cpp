@@ -22,6 +22,8 @@ void solve(Shape<Dim>& shape, const Document<Dim>& document, std::uint64_t revis
     shape.pending = true;
   } catch (const ConstraintError& error) {
     shape.impossible = Impossible{error.reason(), error.what(), error.culprits()};
+    // Of nothing at all, nothing is to be seen.
+    if (document.constraints.empty()) shape.function = nullptr;
   } catch (const std::bad_alloc&) {
     shape.impossible =
         Impossible{std::nullopt,

@@ -56,7 +56,8 @@ struct Impossible {
 
 template <int Dim>
 struct Shape {
-  /// Null until there was a first one. Shared, and never changed: a picture may go on using it.
+  /// Null until there was a first one, and for no constraints at all. Shared, and never changed: a picture may
+  /// go on using it.
   std::shared_ptr<const Interpolant<Dim>> function = nullptr;
   /// Of `function`.
   FitReport report = {};

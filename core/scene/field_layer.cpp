@@ -69,7 +69,7 @@ namespace {
 
 // A minus sign as wide as the digits.
 std::string label_of(double level) {
-  std::string text = to_text(std::abs(level), 3);
+  std::string text = to_text(std::abs(level), 5);
   return level < 0 ? "\u2212" + text : text;
 }
 
@@ -128,8 +128,9 @@ Place label_place(const Points<2>& line, bool closed, double width, const Rect& 
 void draw_isolines(Canvas& canvas, const PlanView& view, const Field<2>& field, const SampledField& sampled,
                    const IsolineStyle& style) {
   const std::vector<double> levels = isoline_levels(sampled.lowest, sampled.highest);
-  const std::vector<Contour> contours =
-      isolines(field, view.scene, levels, {.cells = style.cells, .find_hidden = style.find_hidden});
+  const std::vector<Contour> contours = isolines(
+      field, view.scene, levels,
+      {.cells = style.cells, .find_hidden = style.find_hidden, .max_refined_vertices = style.most_vertices});
   const Stroke stroke{.color = theme::isoline.with_alpha(style.on_colors ? 0.75 : 0.9), .width = 0.7};
   for (const Contour& each : contours)
     for (const Polyline& polyline : each.polylines) {

@@ -44,6 +44,7 @@ struct IsolineStyle {
   std::vector<Polyline> curves = {};   ///< scene curves that a label does not touch
   int cells = 96;                      ///< as in ContourOptions
   bool find_hidden = true;             ///< likewise
+  Index most_vertices = 1'000'000;     ///< ContourOptions::max_refined_vertices
 };
 
 /// Draws and labels them.

@@ -94,8 +94,12 @@ DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>
   const PlanView view = plan_view(view_box(document, field), region);
   const PictureDetail& detail = options.detail;
   Contour curve = detail.every_component
-                      ? contour(document, field, view.scene, {.cells = detail.curve_cells})
-                      : contour(field, view.scene, {.cells = detail.curve_cells, .find_hidden = false});
+                      ? contour(document, field, view.scene,
+                                {.cells = detail.curve_cells, .max_refined_vertices = detail.most_vertices})
+                      : contour(field, view.scene,
+                                {.cells = detail.curve_cells,
+                                 .find_hidden = false,
+                                 .max_refined_vertices = detail.most_vertices});
   auto clip = canvas.clip(region);
   if (display.field || display.isolines) {
     const SampledField sampled =
@@ -114,7 +118,8 @@ DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>
                      .symbols = symbol_places(view, document),
                      .curves = std::move(drawn),
                      .cells = detail.isoline_cells,
-                     .find_hidden = detail.every_component});
+                     .find_hidden = detail.every_component,
+                     .most_vertices = detail.most_vertices});
     }
   } else {
     if (options.tint_inside) tint_inside(canvas, view, curve.polylines);

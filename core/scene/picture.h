@@ -38,6 +38,7 @@ struct PictureDetail {
   int curve_cells = 128;        ///< ContourOptions::cells of the curve
   int isoline_cells = 96;       ///< of isolines
   double field_samples = 1.0;   ///< of the field's colors, along a point of the page
+  Index most_vertices = 1'000'000;  ///< ContourOptions::max_refined_vertices: of a field that is noise
   bool every_component = true;  ///< looks for the curve at every boundary constraint, and for hidden pieces
 };
 

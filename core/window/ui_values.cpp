@@ -92,12 +92,16 @@ Edit slider(const std::string& label, int& value, int least, int most) {
 Edit number(const std::string& label, double& value, double step, const char* format) {
   // Dear ImGui changes the value with every letter that is typed; half a number is none.
   double typed = value;
+  auto& all_typed = detail::ui_state().typed;
+  const ImGuiID id = ImGui::GetID(label.c_str());
+  // A comma is how half the world writes the point; dropped in silence it would make 0,9 a nine.
+  if (all_typed.contains(id))
+    for (ImWchar& letter : ImGui::GetIO().InputQueueCharacters)
+      if (letter == ',') letter = '.';
   ImGui::InputScalar(label.c_str(), ImGuiDataType_Double, &typed, step > 0 ? &step : nullptr, nullptr, format,
                      ImGuiInputTextFlags_CharsScientific);
   Edit edit = edit_of_last(label, false);
   // Where Tab or a press takes the caret to another field, this one forgets what was typed before it says so.
-  auto& all_typed = detail::ui_state().typed;
-  const ImGuiID id = ImGui::GetID(label.c_str());
   if (ImGui::IsItemActive()) {
     all_typed[id] = typed;
   } else if (const auto had = all_typed.extract(id)) {

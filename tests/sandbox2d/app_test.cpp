@@ -49,7 +49,9 @@ TEST(App, EveryFigureOpensByAClickOnItsPicture) {
     EXPECT_SAID(stage, entry.try_this);
     EXPECT_FALSE(stage.desk().unsaved());
     EXPECT_TRUE(stage.desk().path().empty()) << "it is a copy";
-    EXPECT_EQ(stage.steps(), steps + 1) << "one goes from figure to figure and back";
+    // The first is what is shown already.
+    EXPECT_EQ(stage.steps(), steps + (&entry == &gallery().front() ? 0 : 1))
+        << "one goes from figure to figure and back";
     if (entry.plate) {
       EXPECT_TRUE(stage.app().shown().plate);
       EXPECT_GT(stage.app().layout().plate.width, 100);
