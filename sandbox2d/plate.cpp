@@ -198,13 +198,16 @@ void Plate::draw_into(View3D& view, int width, int height, const UiColors& color
 }
 
 void Plate::draw_heads(View3D& view, double pixel_ratio, bool hidden) {
+  // Hundreds would merge into a rope.
+  const double head =
+      pixel_ratio * std::clamp(std::sqrt(80.0 / static_cast<double>(poles_.size() + 1)), 0.35, 1.0);
   // Half of a head lies in the plate; lifted by about its radius it is seen whole.
   const double lift = hidden ? through_all : 0.02, opacity = hidden ? 0.22 : 1;
-  view.draw(heads_[value_head], {.opacity = opacity, .size = 9 * pixel_ratio, .lift = lift});
-  view.draw(heads_[normal_head], {.opacity = opacity, .size = 5 * pixel_ratio, .lift = lift});
-  view.draw(heads_[boundary_head], {.opacity = opacity, .size = 9 * pixel_ratio, .lit = false, .lift = lift});
+  view.draw(heads_[value_head], {.opacity = opacity, .size = 9 * head, .lift = lift});
+  view.draw(heads_[normal_head], {.opacity = opacity, .size = 5 * head, .lift = lift});
+  view.draw(heads_[boundary_head], {.opacity = opacity, .size = 9 * head, .lit = false, .lift = lift});
   if (hidden) return;
-  view.draw(cores_, {.color = theme::paper, .size = 5 * pixel_ratio, .lit = false, .lift = lift});
+  view.draw(cores_, {.color = theme::paper, .size = 5 * head, .lit = false, .lift = lift});
 }
 
 void Plate::use(const ui::PictureUse& use, bool shift) {

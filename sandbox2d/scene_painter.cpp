@@ -37,7 +37,7 @@ double symbol_size(const Document<2>& document, const PlanView& view, double wan
     nearest.push_back(std::sqrt(least));
   }
   std::ranges::nth_element(nearest, nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2));
-  return std::clamp(0.9 * view.scale * nearest[nearest.size() / 2], std::min(wanted, 0.3 * wanted), wanted);
+  return std::clamp(0.7 * view.scale * nearest[nearest.size() / 2], std::min(wanted, 0.3 * wanted), wanted);
 }
 
 }  // namespace

@@ -147,22 +147,30 @@ Rows<Dim> merge_coincident(const Rows<Dim>& rows) {
   const std::size_t n = sweep.order.size();
   std::vector<bool> dropped(n, false);
   std::set<Index> culprits;
+  double farthest_apart = 0;
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = a + 1; b < n && sweep.along[b] - sweep.along[a] <= tolerance::coincident; ++b) {
       const Index i = std::min(sweep.order[a], sweep.order[b]), j = std::max(sweep.order[a], sweep.order[b]);
-      if ((rows.centers.col(i) - rows.centers.col(j)).norm() > tolerance::coincident * extent) continue;
+      const double apart = (rows.centers.col(i) - rows.centers.col(j)).norm();
+      if (apart > tolerance::coincident * extent) continue;
       if (std::abs(rows.values[i] - rows.values[j]) <= same_value) {
         dropped[static_cast<std::size_t>(j)] = true;
       } else {
         culprits.insert(rows.origins[static_cast<std::size_t>(i)].constraint);
         culprits.insert(rows.origins[static_cast<std::size_t>(j)].constraint);
+        farthest_apart = std::max(farthest_apart, apart);
       }
     }
   if (!culprits.empty())
-    throw ConstraintError(Reason::contradictory,
-                          "constraints " + list_of(sorted(culprits)) +
-                              " ask for different values at one position; move or delete one of them",
-                          sorted(culprits));
+    throw ConstraintError(
+        Reason::contradictory,
+        "constraints " + list_of(sorted(culprits)) + " ask for different values at one position" +
+            (farthest_apart > 0
+                 ? " (" + to_text(farthest_apart, 3) + " apart or less, too near in a scene of size " +
+                       to_text(extent, 3) + ")"
+                 : std::string()) +
+            "; move or delete one of them",
+        sorted(culprits));
   Rows<Dim> kept;
   kept.merged = std::count(dropped.begin(), dropped.end(), true);
   if (kept.merged == 0) return rows;

@@ -6,6 +6,7 @@
 #include "core/image/colormap.h"
 #include "core/scene/constraint_layer.h"
 #include "core/scene/field_layer.h"
+#include "core/scene/inside_rings.h"
 
 namespace seesaw {
 
@@ -16,14 +17,11 @@ void stroke_polyline(Canvas& canvas, const PlanView& view, const Polyline& polyl
   polyline.closed ? canvas.polygon(line, stroke) : canvas.polyline(line, stroke);
 }
 
-// The tint of closed curves; a curve that leaves the view has an inside that needs the field's colors to be
-// told.
+// The tint of what is inside, also where the view cuts it.
 void tint_inside(Canvas& canvas, const PlanView& view, const std::vector<Polyline>& polylines) {
   std::vector<Points<2>> rings;
-  for (const Polyline& polyline : polylines) {
-    if (!polyline.closed) return;
-    rings.push_back(view.page_from_scene(polyline.vertices));
-  }
+  for (const Points<2>& ring : inside_rings(polylines, view.scene))
+    rings.push_back(view.page_from_scene(ring));
   if (!rings.empty()) canvas.fill_rings(rings, diverging_color(0.22), FillRule::even_odd);
 }
 
