@@ -66,7 +66,7 @@ class ScenePainter {
  public:
   /// `draft_seconds` is what a draft may take; fine pictures come when nothing changed for `rest` seconds.
   /// `arrived` is called from another thread when one is done.
-  explicit ScenePainter(std::function<void()> arrived = {}, double draft_seconds = 0.012, double rest = 0.12)
+  explicit ScenePainter(std::function<void()> arrived = {}, double draft_seconds = 0.008, double rest = 0.12)
       : arrived_(std::move(arrived)), draft_seconds_(draft_seconds), rest_(rest) {}
   ~ScenePainter();
 

@@ -69,7 +69,7 @@ void draw_constraints(Canvas& canvas, const PlanView& view, const Document<2>& d
                  color_of(each.highlight || each.highlight_normal));
     }
   // Highlighted ones last, so that nothing hides them.
-  constexpr double small = 5;
+  constexpr double small = 7;
   for (const bool highlighted : {false, true}) {
     std::vector<std::pair<Symbol, Point<2>>> dots;
     for (const auto& each : document.constraints) {

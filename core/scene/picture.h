@@ -47,7 +47,7 @@ struct PictureOptions {
   std::vector<Polyline> ghosts = {};
   /// Tints what is inside, where the field's colors are not shown.
   bool tint_inside = true;
-  double symbol_size = 9.0;    ///< of constraints, points; below 5 circles are dots
+  double symbol_size = 9.0;    ///< of constraints, points; below 7 circles are dots
   double curve_width = 2.2;    ///< points
   double spike_length = 26.0;  ///< of normals, points
   double text_size = 8.5;      ///< of isoline labels and scale bar, points
