@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/editing/desk_bindings.h"
 #include "core/window/ui.h"
 
@@ -10,12 +11,6 @@ namespace seesaw {
 namespace {
 
 constexpr const char* help_title = "Keys and gestures";
-
-std::string sentence_case(std::string words) {
-  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z')
-    words[0] = static_cast<char>(words[0] - 'a' + 'A');
-  return words;
-}
 
 }  // namespace
 
@@ -38,7 +33,7 @@ void HelpDialog::frame(double width, double height) {
           ui::next_cell();
           ui::paragraph(lines[i].keys);
           ui::next_cell();
-          ui::paragraph(sentence_case(lines[i].words));
+          ui::paragraph(capitalized(lines[i].words));
         }
       }
       ui::gap(6 * s);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/window/ui.h"
 
 namespace seesaw {
@@ -141,12 +142,6 @@ class Menus {
   const MenuState& state_;
   const MenuActions& actions_;
 };
-
-std::string capitalized(std::string words) {
-  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z')
-    words[0] = static_cast<char>(words[0] - 'a' + 'A');
-  return words;
-}
 
 }  // namespace
 

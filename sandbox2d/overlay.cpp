@@ -10,18 +10,13 @@
 #include "core/editing/curve_foot.h"
 #include "core/image/colormap.h"
 #include "core/image/symbols.h"
+#include "core/scene/constraint_layer.h"
 
 namespace seesaw {
 
 namespace {
 
 const Color selected = theme::series[0];
-
-Symbol symbol_of(ConstraintKind kind) {
-  return kind == ConstraintKind::boundary   ? Symbol::circle
-         : kind == ConstraintKind::interior ? Symbol::plus
-                                            : Symbol::minus;
-}
 
 class Overlay {
  public:

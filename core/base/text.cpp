@@ -28,10 +28,16 @@ std::optional<double> parse_number(std::string_view text) {
   return static_cast<double>(wide);
 }
 
+std::string capitalized(std::string words) {
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z')
+    words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  return words;
+}
+
 int digits_for(double value, double step) {
   const double size = std::max(std::abs(value), step);
   if (!std::isfinite(size) || !(step > 0)) return 17;
-  return std::clamp(1 + static_cast<int>(std::ceil(std::log10(size / step))), 3, 17);
+  return std::clamp(1 + static_cast<int>(std::ceil(std::log10(size) - std::log10(step))), 3, 17);
 }
 
 }  // namespace seesaw

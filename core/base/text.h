@@ -11,8 +11,11 @@ namespace seesaw {
 /// to the same double. Not a number is "nan", infinity "inf".
 std::string to_text(double value, int digits = 6);
 
-/// As many significant digits, 3 to 17, as tell `value` from its neighbors a `step` > 0 away: a coordinate where a
-/// pixel is a `step`.
+/// With a capital for its first letter, where that is one of a to z.
+std::string capitalized(std::string words);
+
+/// As many significant digits, 3 to 17, as tell `value` from its neighbors a `step` > 0 away: a coordinate
+/// where a pixel is a `step`.
 int digits_for(double value, double step);
 
 /// The number that `text` holds from its first to its last character, or nothing. "nan" and "inf" are numbers

@@ -11,18 +11,6 @@ namespace seesaw {
 
 namespace {
 
-Symbol symbol_of(ConstraintKind kind) {
-  switch (kind) {
-    case ConstraintKind::boundary:
-      return Symbol::circle;
-    case ConstraintKind::interior:
-      return Symbol::plus;
-    case ConstraintKind::exterior:
-      return Symbol::minus;
-  }
-  return Symbol::circle;
-}
-
 // Thousands of small symbols, as two marks: a rim of paper under all of them, then the ink.
 void draw_small_symbols(Canvas& canvas, const std::vector<std::pair<Symbol, Point<2>>>& symbols, double size,
                         const Color& color) {
@@ -57,6 +45,18 @@ void draw_small_symbols(Canvas& canvas, const std::vector<std::pair<Symbol, Poin
 Color color_of(bool highlight) { return highlight ? theme::moved : theme::constraint; }
 
 }  // namespace
+
+Symbol symbol_of(ConstraintKind kind) {
+  switch (kind) {
+    case ConstraintKind::boundary:
+      return Symbol::circle;
+    case ConstraintKind::interior:
+      return Symbol::plus;
+    case ConstraintKind::exterior:
+      return Symbol::minus;
+  }
+  return Symbol::circle;
+}
 
 void draw_constraints(Canvas& canvas, const PlanView& view, const Document<2>& document,
                       const PictureOptions& options) {

@@ -4,12 +4,16 @@
 #pragma once
 
 #include "core/image/canvas.h"
+#include "core/image/symbols.h"
 #include "core/scene/document.h"
 #include "core/scene/plan_view.h"
 
 namespace seesaw {
 
 struct PictureOptions;
+
+/// The papers': an open circle for boundary, plus for interior, minus for exterior constraints.
+Symbol symbol_of(ConstraintKind kind);
 
 /// Draws what the display's `constraints` and `normals` ask for, red where highlighted, with labels.
 void draw_constraints(Canvas& canvas, const PlanView& view, const Document<2>& document,

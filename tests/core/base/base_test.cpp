@@ -188,5 +188,21 @@ TEST(Types, BoxesGrow) {
   EXPECT_TRUE(bounding_box_of<3>(Points<3>(3, 0)).isEmpty());
 }
 
+TEST(Text, DigitsTellAPlaceFromItsNeighborAPixelAway) {
+  for (const auto& [value, step] :
+       {std::pair(1.2345, 0.004), {1e7, 0.5}, {-3e-9, 1e-11}, {0.0, 0.01}, {0.02, 0.01}}) {
+    const int digits = digits_for(value, step);
+    EXPECT_GE(digits, 3);
+    if (value != 0) {
+      EXPECT_NE(to_text(value, digits), to_text(value + step, digits)) << value;
+    }
+  }
+  EXPECT_EQ(digits_for(1, 0), 17);
+  EXPECT_EQ(digits_for(1e300, 1e-300), 17);
+  EXPECT_EQ(capitalized("undo"), "Undo");
+  EXPECT_EQ(capitalized("\u00e9t\u00e9"), "\u00e9t\u00e9");
+  EXPECT_EQ(capitalized(""), "");
+}
+
 }  // namespace
 }  // namespace seesaw
