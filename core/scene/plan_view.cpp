@@ -19,7 +19,12 @@ Box<2> view_box(const Document<2>& document, const Field<2>& field) {
   // First the constraints, then as much of the curve as lies near them: a curve may well run off to infinity.
   Box<2> box;
   for (const auto& each : document.constraints) box.extend(each.constraint.at);
-  const Contour curve = contour(document, field, field.bounding_box(), {.cells = 64});
+  // Hundreds of constraints say themselves where the curve is; following it at each would keep a window
+  // waiting.
+  constexpr std::size_t many = 300;
+  const Contour curve = document.constraints.size() <= many
+                            ? contour(document, field, field.bounding_box(), {.cells = 64})
+                            : contour(field, field.bounding_box(), {.cells = 64, .find_hidden = false});
   for (const Polyline& polyline : curve.polylines)
     if (polyline.closed) box.extend(bounding_box(polyline));
   return grown(box, 0.12);
