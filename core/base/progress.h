@@ -17,4 +17,10 @@ inline void report(const Progress& progress, double fraction) {
   if (progress && !progress(fraction)) throw Cancelled();
 }
 
+/// For a part of some work, from `begin` to `end` of the whole. For as long as `progress` lives.
+inline Progress share_of(const Progress& progress, double begin, double end) {
+  if (!progress) return {};
+  return [&progress, begin, end](double fraction) { return progress(begin + fraction * (end - begin)); };
+}
+
 }  // namespace seesaw

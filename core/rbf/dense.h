@@ -12,25 +12,24 @@
 //        |    |  \ +---+
 //        +----+----+---+
 //
-// Before it: a matrix that somebody fills.  After it: core/rbf/solve.h.
+// Before it: core/rbf/matrix_memory.h, and whoever fills a matrix.  After it: core/rbf/solve.h.
 #pragma once
 
 #include <functional>
-#include <memory>
 
+#include "core/base/progress.h"
 #include "core/base/types.h"
+#include "core/rbf/matrix_memory.h"
 
 namespace seesaw::dense {
 
-/// A square matrix of which only the lower triangle means anything; not initialized. About n^2 / 2 doubles,
-/// in large pages where the system has them: a new matrix of 100 MB otherwise costs 25,000 page faults, a
-/// tenth of its factorization.
+/// A square matrix of which only the lower triangle means anything; not initialized. About n^2 / 2 doubles.
 class Symmetric {
  public:
   /// Columns in a strip.
   static constexpr Index strip = 384;
 
-  explicit Symmetric(Index n);
+  explicit Symmetric(Index n) : n_(n), memory_(matrix_memory(stored())) {}
 
   Index size() const { return n_; }
   /// How many doubles are stored.
@@ -48,33 +47,35 @@ class Symmetric {
   Eigen::Map<const Values> column_from(Index i, Index j) const { return {at(i, j), n_ - i}; }
 
  private:
-  struct Free {
-    void operator()(double* memory) const;
-  };
   static Index first_row(Index j) { return j / strip * strip; }
   // Strips 0 .. t - 1 have strip * (n + (n - strip) + ...) numbers. (The last may be narrower.)
   Index start_of(Index t) const { return strip * (t * n_ - strip * (t * (t - 1) / 2)); }
 
   Index n_;
-  std::unique_ptr<double[], Free> memory_;
+  MatrixMemory memory_;
 };
+
+// What goes through a whole matrix says how far it is, some hundred times and from the calling thread, and
+// can be stopped: it then ends with Cancelled, some 10 ms later, and what it had in hand is of no more use.
 
 /// Writes columns begin .. begin + count - 1, on and below the diagonal. Called from any thread.
 using FillColumns = std::function<void(Index begin, Index count)>;
 
 /// Fills A and returns A X, of A n x n and X n x m with small m: what has just been written is multiplied
 /// while it is in the cache. `fill` is called once for every column.
-Eigen::MatrixXd fill_and_multiply(Symmetric& a, const FillColumns& fill, const Eigen::MatrixXd& x);
+Eigen::MatrixXd fill_and_multiply(Symmetric& a, const FillColumns& fill, const Eigen::MatrixXd& x,
+                                  const Progress& progress = {});
 
 // The following look at the trailing block of A: rows and columns `first` .. n - 1, n - first of them.
 
 /// A := A - U V' - V U', U and V n x m with small m. Returns the 1-norm of the trailing block, its largest
 /// absolute column sum.
-double subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v, Index first);
+double subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::MatrixXd& v, Index first,
+                         const Progress& progress = {});
 
 /// Overwrites the block with L, block = L L'. False where it is not positive definite (to rounding). About
 /// (n - first)^3 / 3 multiplications.
-bool cholesky(Symmetric& a, Index first);
+bool cholesky(Symmetric& a, Index first, const Progress& progress = {});
 
 /// x := block^-1 x for each column of x, (n - first) x m, given L. The matrix is read once however many
 /// columns.

@@ -27,8 +27,12 @@ template <int Dim>
                         culprits);
 }
 
+// Of the time of a fit of some thousand rows, how much its factorization takes; the rest is two solves, two
+// residuals, and the condition.
+constexpr double factored = 0.9;
+
 template <int Dim>
-FullFit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport report) {
+FullFit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport report, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   SEESAW_CHECK_LE(0.0, options.smoothing);
   report.kernel = options.kernel.value_or(papers_kernel(Dim));
@@ -43,7 +47,7 @@ FullFit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport repor
   const Points<Dim> centers = normalization.apply(rows.centers);
   // s Phi + lambda I in scene units is scale^b (s Phi' + lambda / scale^b I) in normalized ones.
   const double smoothing = options.smoothing / std::pow(normalization.scale, growth_of(report.kernel));
-  Factorization<Dim> factorization(centers, report.kernel, smoothing);
+  Factorization<Dim> factorization(centers, report.kernel, smoothing, share_of(progress, 0.0, factored));
   report.polynomial_rank = factorization.polynomial_rank();
   report.degenerate = report.polynomial_rank < Dim + 1;
   if (!factorization.positive_definite()) refuse_too_close(rows, "the matrix is singular to rounding");
@@ -63,6 +67,7 @@ FullFit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport repor
   if (options.smoothing == 0.0 && target > 0.0) {
     // One step of iterative refinement. The residual is summed with its rounding errors kept, which is what
     // makes the step worth its two solves; taken only where it helps.
+    seesaw::report(progress, 0.5 * (1.0 + factored));
     const Solution correction = factorization.solve(residual);
     const Solution refined{solution.weights + correction.weights,
                            solution.polynomial + correction.polynomial};
@@ -77,6 +82,7 @@ FullFit<Dim> fit_rows(Rows<Dim> rows, const FitOptions& options, FitReport repor
       refuse_too_close(rows, "the solution misses its constraints");
   }
   report.max_residual = residual.cwiseAbs().maxCoeff();
+  seesaw::report(progress, 1.0);
   if (options.condition) report.reciprocal_condition = factorization.reciprocal_condition();
   // s w' Phi w = s w' (f - P p) = s w' f at the centers, since P' w = 0: nothing needs to be evaluated again.
   const double sign = report.kernel == Kernel::linear ? -1.0 : 1.0;
@@ -101,29 +107,30 @@ FitReport counted(const Constraints<Dim>& constraints) {
 }
 
 template <int Dim>
-FullFit<Dim> full_fit(const Constraints<Dim>& constraints, const FitOptions& options) {
-  return fit_rows(rows_of(constraints), options, counted(constraints));
+FullFit<Dim> full_fit(const Constraints<Dim>& constraints, const FitOptions& options,
+                      const Progress& progress) {
+  return fit_rows(rows_of(constraints), options, counted(constraints), progress);
 }
 
 template <int Dim>
-Fit<Dim> fit(const Constraints<Dim>& constraints, const FitOptions& options) {
-  return full_fit(constraints, options).fit;
+Fit<Dim> fit(const Constraints<Dim>& constraints, const FitOptions& options, const Progress& progress) {
+  return full_fit(constraints, options, progress).fit;
 }
 
 template <int Dim>
 Fit<Dim> fit_values(const PointsRef<Dim>& points, const Eigen::Ref<const Values>& values,
-                    const FitOptions& options) {
+                    const FitOptions& options, const Progress& progress) {
   FitReport report;
   report.boundary = points.cols();
-  return fit_rows(rows_of<Dim>(points, values), options, report).fit;
+  return fit_rows(rows_of<Dim>(points, values), options, report, progress).fit;
 }
 
-#define SEESAW_INSTANTIATE(Dim)                                                             \
-  template FitReport counted<Dim>(const Constraints<Dim>&);                                 \
-  template FullFit<Dim> full_fit<Dim>(const Constraints<Dim>&, const FitOptions&);          \
-  template Fit<Dim> fit<Dim>(const Constraints<Dim>&, const FitOptions&);                   \
-  template Fit<Dim> fit_values<Dim>(const PointsRef<Dim>&, const Eigen::Ref<const Values>&, \
-                                    const FitOptions&);
+#define SEESAW_INSTANTIATE(Dim)                                                                     \
+  template FitReport counted<Dim>(const Constraints<Dim>&);                                         \
+  template FullFit<Dim> full_fit<Dim>(const Constraints<Dim>&, const FitOptions&, const Progress&); \
+  template Fit<Dim> fit<Dim>(const Constraints<Dim>&, const FitOptions&, const Progress&);          \
+  template Fit<Dim> fit_values<Dim>(const PointsRef<Dim>&, const Eigen::Ref<const Values>&,         \
+                                    const FitOptions&, const Progress&);
 SEESAW_INSTANTIATE(2)
 SEESAW_INSTANTIATE(3)
 SEESAW_INSTANTIATE(4)

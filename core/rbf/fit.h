@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/progress.h"
 #include "core/rbf/interpolant.h"
 
 namespace seesaw {
@@ -57,14 +58,16 @@ struct Fit {
 
 /// The function of least energy that meets the constraints. Throws ConstraintError, naming the culprits,
 /// where there is none: see core/rbf/system.h; too_close where centers are so near that no digit tells them
-/// apart. Memory N^2 / 2 doubles, time N^3 / 3 multiplications, N the number of rows.
+/// apart. Memory N^2 / 2 doubles, time N^3 / 3 multiplications, N the number of rows. Told by `progress` to
+/// stop it throws Cancelled some 10 ms later.
 template <int Dim>
-Fit<Dim> fit(const Constraints<Dim>& constraints, const FitOptions& options = {});
+Fit<Dim> fit(const Constraints<Dim>& constraints, const FitOptions& options = {},
+             const Progress& progress = {});
 
 /// The same for plain values at points (Dim x N and N): scattered data interpolation, T&O 2002, section 2.2.
 /// The report counts every point as a boundary constraint.
 template <int Dim>
 Fit<Dim> fit_values(const PointsRef<Dim>& points, const Eigen::Ref<const Values>& values,
-                    const FitOptions& options = {});
+                    const FitOptions& options = {}, const Progress& progress = {});
 
 }  // namespace seesaw

@@ -22,7 +22,8 @@ struct FullFit {
 /// fit(), with the same digits and errors, and what it was made with. Memory N^2 / 2 doubles for as long as
 /// it lives.
 template <int Dim>
-FullFit<Dim> full_fit(const Constraints<Dim>& constraints, const FitOptions& options = {});
+FullFit<Dim> full_fit(const Constraints<Dim>& constraints, const FitOptions& options = {},
+                      const Progress& progress = {});
 
 /// A report with nothing in it but the constraints, counted by kind.
 template <int Dim>

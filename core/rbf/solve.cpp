@@ -12,7 +12,8 @@
 namespace seesaw {
 
 template <int Dim>
-Factorization<Dim>::Factorization(const PointsRef<Dim>& centers, Kernel kernel, double smoothing)
+Factorization<Dim>::Factorization(const PointsRef<Dim>& centers, Kernel kernel, double smoothing,
+                                  const Progress& progress)
     : n_(centers.cols()), sign_(kernel == Kernel::linear ? -1.0 : 1.0), matrix_(n_) {
   SEESAW_CHECK_LE(1, n_);
   SEESAW_CHECK_LE(0.0, smoothing);
@@ -48,12 +49,12 @@ Factorization<Dim>::Factorization(const PointsRef<Dim>& centers, Kernel kernel, 
   polynomial_ = r.completeOrthogonalDecomposition().pseudoInverse();
 
   // Q' Phi Q = Phi - V Y' - Y V'  with  Z = Phi V T  and  Y = Z - V T' V' Z / 2.
-  const Eigen::MatrixXd z =
-      dense::fill_and_multiply(matrix_, columns_of(centers, kernel, smoothing), reflectors_ * triangle_);
+  const Eigen::MatrixXd z = dense::fill_and_multiply(matrix_, columns_of(centers, kernel, smoothing),
+                                                     reflectors_ * triangle_, share_of(progress, 0.0, 0.1));
   norm1_ = dense::subtract_products(
       matrix_, reflectors_, z - 0.5 * reflectors_ * (triangle_.transpose() * (reflectors_.transpose() * z)),
-      rank_);
-  positive_definite_ = dense::cholesky(matrix_, rank_);
+      rank_, share_of(progress, 0.1, 0.15));
+  positive_definite_ = dense::cholesky(matrix_, rank_, share_of(progress, 0.15, 1.0));
 }
 
 template <int Dim>

@@ -28,6 +28,7 @@
 // constant across the line.
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/base/types.h"
 #include "core/rbf/dense.h"
 #include "core/rbf/inverse_norm.h"
@@ -46,8 +47,10 @@ struct Solution {
 template <int Dim>
 class Factorization {
  public:
-  /// `centers` Dim x N, N >= 1, normalized and pairwise distinct; `smoothing` >= 0 in their units.
-  Factorization(const PointsRef<Dim>& centers, Kernel kernel, double smoothing);
+  /// `centers` Dim x N, N >= 1, normalized and pairwise distinct; `smoothing` >= 0 in their units. Throws
+  /// Cancelled where `progress` says stop.
+  Factorization(const PointsRef<Dim>& centers, Kernel kernel, double smoothing,
+                const Progress& progress = {});
 
   /// False when Cholesky failed: two centers are too near to be told apart. Nothing can be solved then.
   bool positive_definite() const { return positive_definite_; }

@@ -86,6 +86,25 @@ INSTANTIATE_TEST_SUITE_P(Sizes, DenseTest,
                          testing::Combine(testing::Values<Index>(1, 2, 5, 31, 32, 96, 97, 250, 384, 385, 900),
                                           testing::Values<Index>(0, 3, 5)));
 
+// What fits twice in a row, or a little more the second time, asks the system for memory once.
+TEST(MatrixMemory, TheLastPieceIsKept) {
+  constexpr Index count = 1 << 20;
+  double* first = nullptr;
+  {
+    const dense::MatrixMemory memory = dense::matrix_memory(count);
+    first = memory.get();
+    first[count - 1] = 1.0;
+  }
+  EXPECT_EQ(dense::matrix_memory(count + count / 10).get(), first);
+  EXPECT_NE(dense::matrix_memory(4 * count).get(), nullptr);  // another, and then the one that is kept
+  const dense::MatrixMemory large = dense::matrix_memory(4 * count), other = dense::matrix_memory(4 * count);
+  EXPECT_NE(large.get(), other.get());
+  std::fill_n(large.get(), 4 * count, 1.0);
+  std::fill_n(other.get(), 4 * count, 2.0);
+  EXPECT_EQ(std::count(large.get(), large.get() + 4 * count, 1.0), 4 * count);
+  EXPECT_NE(dense::matrix_memory(0).get(), nullptr);
+}
+
 TEST(InverseNorm, NeverAboveAndRarelyFarBelowTheTruth) {
   Random random(6);
   int exact = 0;

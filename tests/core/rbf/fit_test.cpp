@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <thread>
 
 #include "core/rbf/energy.h"
 #include "core/rbf/gradient_bound.h"
@@ -366,6 +367,31 @@ TEST(Fit, SameResultWhateverTheThreads) {
   const Points<3> x = random.points_in<3>(f.bounding_box(), 5000);
   const Values all = f.values(x);
   for (Index i = 0; i < x.cols(); i += 97) EXPECT_EQ(f.value(x.col(i)), all[i]);
+}
+
+// The listener's thread is the one that asked, the fraction never falls, and the digits do not depend on it.
+TEST(Fit, SaysHowFarItIsAndStopsWhereToldTo) {
+  Random random(16);
+  const ScatteredData<2> data(1000, random);
+  const std::thread::id here = std::this_thread::get_id();
+  std::vector<double> fractions;
+  const auto watched = fit_values<2>(data.points, data.values, {}, [&](double fraction) {
+    EXPECT_EQ(std::this_thread::get_id(), here);
+    fractions.push_back(fraction);
+    return true;
+  });
+  EXPECT_TRUE(std::ranges::is_sorted(fractions));
+  EXPECT_GE(fractions.front(), 0.0);
+  EXPECT_EQ(fractions.back(), 1.0);
+  EXPECT_EQ(watched.function.weights(), fit_values<2>(data.points, data.values).function.weights());
+  for (const double last : {0.0, 0.1, 0.5, 0.8, 0.95, 1.0}) {
+    bool stopped = false;
+    const auto until_last = [&](double fraction) {
+      EXPECT_FALSE(stopped) << "asked again after it had said stop";
+      return !(stopped = fraction >= last);
+    };
+    EXPECT_THROW(fit_values<2>(data.points, data.values, {}, until_last), Cancelled);
+  }
 }
 
 }  // namespace
