@@ -1,8 +1,6 @@
 // bench_edit: a step of a drag beside a full fit of the same constraints.
 //
-//   edit/<kernel>_<Dim>d/<N>   N rows: a wavy circle or ball of boundary constraints with their normals, and
-//   40
-//                              interior ones. Seconds, each from constraints to a function:
+//   edit/<kernel>_<Dim>d/<N>   N rows (bench/wavy.h). Seconds, each from constraints to a function:
 //     fit      of a full fit
 //     row      of a step of a drag of one interior constraint (not the drag's first), bordered
 //     pair     of a boundary constraint and its normal
@@ -18,39 +16,11 @@
 
 #include "bench/data.h"
 #include "bench/turns.h"
+#include "bench/wavy.h"
 #include "core/rbf/edit_session.h"
 
 namespace seesaw::bench {
 namespace {
-
-template <int Dim>
-Point<Dim> direction_of(Index i, Index count) {
-  if constexpr (Dim == 2) {
-    const double angle = 2 * M_PI * static_cast<double>(i) / static_cast<double>(count);
-    return {std::cos(angle), std::sin(angle)};
-  } else {
-    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
-    const double angle = 2.399963229728653 * static_cast<double>(i), rho = std::sqrt(1 - z * z);
-    return {rho * std::cos(angle), rho * std::sin(angle), z};
-  }
-}
-
-constexpr Index inside = 40;
-
-/// `inside` interior constraints, then the surface.
-template <int Dim>
-Constraints<Dim> wavy(Index rows) {
-  const Points<Dim> middle = spread_points<Dim>(inside);
-  Constraints<Dim> constraints;
-  for (Index i = 0; i < inside; ++i)
-    constraints.push_back(interior<Dim>(0.4 * middle.col(i), 1 + 0.3 * std::sin(static_cast<double>(i))));
-  const Index count = (rows - inside) / 2;
-  for (Index i = 0; i < count; ++i) {
-    const Point<Dim> out = direction_of<Dim>(i, count);
-    constraints.push_back(boundary<Dim>((1 + 0.1 * std::sin(5 * out[0])) * out, out, 0.01));
-  }
-  return constraints;
-}
 
 // The session of a program that has been open for a while: what is dragged has been dragged before. Made
 // once.
@@ -91,7 +61,7 @@ void edit_round(benchmark::State& state, Kernel kernel, Index n) {
   steps("twenty", [&] {
     for (Index i = 0; i < (n < 500 ? 3 : 20); ++i) shifted(i);
   });
-  session.adopt(session.refit_job().run());
+  session.adopt(EditSession<Dim>(constraints, {.kernel = kernel}));
   steps("pair", [&] { shifted(inside + 3); });
   steps("value", [&] { constraints[5].value = 1 + 0.1 * std::sin(turn); });
   steps("row", [&] { shifted(30); });

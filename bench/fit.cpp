@@ -32,7 +32,8 @@ void fit_round(benchmark::State& state, Kernel kernel, Index n) {
   Turns turns(state);
   std::optional<Fit<Dim>> fitted;
   const auto fit_it = [&] { fitted.emplace(fit_values<Dim>(points, values, options)); };
-  turns.take("fit", [] { dense::matrix_memory(1 << 19); }, fit_it);  // in memory of its own: a first fit
+  turns.take(
+      "fit", [] { dense::matrix_memory(1 << 19); }, fit_it);  // in memory of its own: a first fit
   turns.take("fit_again", fit_it);
   turns.take(
       "cholesky_warm", [&] { copy_lower(definite, warm); }, [&] { bare_cholesky(warm); });

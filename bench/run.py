@@ -11,9 +11,9 @@ and, where they differ by more than a tenth, the smallest and the largest. Absol
 this minute's; ratios travel better. On one core, times are processor time, so that other programs do not count; on
 all cores they are wall time, so let the machine be idle: a row is not judged ("busy") where others took a tenth of it.
 
-How to add a benchmark. In C++: a round in bench/fit.cpp, edit.cpp, evaluate.cpp, extract.cpp, trace.cpp or particles.cpp, whose
-contestants each call `turns.take("name", work)` (bench/turns.h), and here a `table.row` that reads that counter from
-`rounds`. A contestant in Python is a function in bench/scipy_side.py. What may be compared: the same data, the same
+How to add a benchmark. In C++: a round in bench/fit.cpp, edit.cpp, live.cpp, evaluate.cpp, extract.cpp, trace.cpp or particles.cpp,
+whose contestants each call `turns.take("name", work)` (bench/turns.h), and here a `table.row` that reads that counter
+from `rounds`. A contestant in Python is a function in bench/scipy_side.py. What may be compared: the same data, the same
 number of threads, the same turn.
 
     bench/run.py         what is compared with what, and the aims            bench/turns.h    C++ contestants' clock
@@ -82,7 +82,7 @@ def fit_section(table, cores, sizes, turns):
             table.times("bare Cholesky, warm memory", fits, [r["cholesky_warm"] for r in rounds], aim_cholesky)
             table.times("bare Cholesky, fresh memory", fits, [r["cholesky_fresh"] for r in rounds], aim_cholesky)
             table.speedup("SciPy's fit, a dense LU", *zip(*against_scipy), aim_scipy)
-            table.speedup("the same, our memory kept from a fit before", *zip(*again), None)
+            table.speedup("the same, in memory of a fit before", *zip(*again), None)
     scipy_side.close()
     return every
 
@@ -284,6 +284,23 @@ def particles_section(table, quick):
         table.speedup("step / the paper's 150 at 10 Hz", [r["step"] for r in rounds], [0.1] * len(rounds), None)
 
 
+def live_section(table, quick):
+    """What editing large documents costs the thread that a window waits for; full fits go on beside it."""
+    cores = contestants.all_cores()
+    table.section(f"LARGE DOCUMENTS on {cores.words}", "the longest of 180 steps at 60 Hz (poll, edit, ask for the shape) "
+                  "on the window's thread, against a frame at 30 Hz; r^2 log r in 2D")
+    for n in [1000] if quick else [1000, 3000, 5000]:
+        rounds = contestants.rounds("bench_live", f"live/{n}", cores, 1 if quick else 3)
+        table.head(f"N = {n}", others_on(cores, rounds))
+        for words, way in (("one and its normal dragged", "one"), ("another moved every step", "each"),
+                           ("sixty of them dragged", "sixty"), ("kernel changed amid a drag", "kernel")):
+            table.times(f"{words}: {median([r[way + '_answers'] for r in rounds]):.0f} shapes/s",
+                        [r[way + "_longest"] for r in rounds], [0.033] * len(rounds),
+                        at_most(1.0) if cores.count == 2 and way != "kernel" else None)
+        table.times("quitting amid a full fit", [r["quit"] for r in rounds], [0.033] * len(rounds),
+                    at_most(1.0) if cores.count == 2 else None)
+
+
 def frame_section(table, quick):
     """The curve editor's frames while a constraint is dragged, from the event to the pixels, without a graphics card."""
     if not (contestants.PROGRAMS / "sandbox2d").exists():
@@ -307,7 +324,7 @@ def main():
     parser.add_argument("--full", action="store_true", help="also N = 6000")
     parser.add_argument("--programs", default=HERE.parent / "build/release/bin", type=pathlib.Path,
                         help="where bench_fit, bench_edit, bench_evaluate, bench_extract, bench_trace, bench_particles, "
-                        "bench_memory and sandbox2d are")
+                        "bench_live, bench_memory and sandbox2d are")
     options = parser.parse_args()
     contestants.PROGRAMS = options.programs
 
@@ -328,6 +345,7 @@ def main():
     extraction_section(table, 1 if options.quick else 5)
     tracing_section(table, options.quick)
     particles_section(table, options.quick)
+    live_section(table, options.quick)
     frame_section(table, options.quick)
     table.summary(machine.load())
 

@@ -258,6 +258,8 @@ void App::draw_status() {
     color = message.trouble ? colors.warning : colors.ink;
   } else if (shape.pending) {
     words = "solving " + std::to_string(desk_.editor().size()) + " constraints\u2026";
+    if (const auto fraction = solver_.fraction(); fraction && *fraction > 0.0)
+      words += " " + std::to_string(std::lround(100 * *fraction)) + " %";
     color = colors.accent;
   } else if (shape.function && asks_for_zero_alone(desk_.document())) {
     words = "f is 0 everywhere: an interior, exterior or normal constraint says which side is which";

@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "core/editing/background_fit.h"
+#include "core/editing/background_session.h"
 
 namespace seesaw {
 
@@ -25,34 +25,49 @@ bool same_constraint(const Constraint<Dim>& a, const Constraint<Dim>& b) {
 }
 
 template <int Dim>
-bool same_question(const RefitJob<Dim>& a, const Constraints<Dim>& constraints, const FitOptions& options) {
-  return same_options(a.options, options, Dim) &&
-         std::ranges::equal(a.constraints, constraints, same_constraint<Dim>);
+bool same_question(const Constraints<Dim>& constraints, const FitOptions& options, const Question<Dim>& b) {
+  return same_options(options, b.options, Dim) &&
+         std::ranges::equal(constraints, b.constraints, same_constraint<Dim>);
 }
 
 // Of the system, without solving it. Throws what can be refused already.
 template <int Dim>
-Rows<Dim> rows_to_solve(const Constraints<Dim>& constraints, const FitOptions& options) {
-  const Rows<Dim> rows = rows_of(constraints);
-  return options.smoothing == 0.0 ? merge_coincident(rows) : rows;
+Rows<Dim> rows_to_solve(const Question<Dim>& question) {
+  const Rows<Dim> rows = rows_of(question.constraints);
+  return question.options.smoothing == 0.0 ? merge_coincident(rows) : rows;
+}
+
+// Whether most rows of `b` are rows of `a`.
+template <int Dim>
+bool alike(const Constraints<Dim>& a, const Question<Dim>& b) {
+  try {
+    const Points<Dim> before = rows_of(a).centers, now = rows_to_solve(b).centers;
+    return RowFinder<Dim>(before).match(now).size() <= now.cols() / 2;
+  } catch (const ConstraintError&) {
+    return false;
+  }
 }
 
 }  // namespace
 
 template <int Dim>
 struct BackgroundSolver<Dim>::State {
-  using Question = RefitJob<Dim>;
-  /// A question that a fit has refused elsewhere.
+  using Ask = Question<Dim>;
+  /// A question that was refused elsewhere.
   struct Refusal {
-    Question question;
+    Ask question;
     std::exception_ptr error;
   };
+  enum class Work { full, border, refit };
 
   BackgroundOptions options;
   std::optional<EditSession<Dim>> session;
-  std::unique_ptr<BackgroundFit<Dim>> running;
+  std::unique_ptr<BackgroundSession<Dim>> running;
+  Work work = Work::full;  // of what is running
   /// The last that was asked, while it has no answer.
-  std::optional<Question> waiting;
+  std::optional<Ask> waiting;
+  /// What it needs: a border or a full fit.
+  Work due = Work::full;
   /// To be shown until then.
   std::optional<Fit<Dim>> newer;
   std::optional<Refusal> refusal;
@@ -64,97 +79,107 @@ struct BackgroundSolver<Dim>::State {
   Fit<Dim> answer(const Constraints<Dim>& constraints, const FitOptions& fit_options);
   bool poll();
 
-  /// Without a full fit of many rows; none where there would have to be one.
-  std::optional<Fit<Dim>> at_once(const Question& question);
-  void begin(Question question);
+  Budget budget() const { return {.full = options.at_once, .border = options.border_at_once}; }
+  /// What the budget allows for; none where that is not enough.
+  std::optional<Fit<Dim>> at_once(const Ask& question);
+  void begin(Work next, Ask question);
   void refit_where_due();
+  /// Of work that the question `waiting` has no use for.
+  void cancel_where_useless();
   /// Makes what has arrived the ground of further answers. True where the last answer has become another.
   bool take_in();
-  bool adopt(FullFit<Dim> fresh);
-  void show_meanwhile(const FullFit<Dim>& fresh);
+  bool adopt(EditSession<Dim> fresh);
 };
 
 template <int Dim>
-std::optional<Fit<Dim>> BackgroundSolver<Dim>::State::at_once(const Question& question) {
-  const auto& [constraints, fit_options] = question;
+std::optional<Fit<Dim>> BackgroundSolver<Dim>::State::at_once(const Ask& question) {
   if (refusal) {
-    if (same_question(refusal->question, constraints, fit_options)) std::rethrow_exception(refusal->error);
+    if (same_question(refusal->question.constraints, refusal->question.options, question))
+      std::rethrow_exception(refusal->error);
     refusal.reset();
   }
+  due = Work::full;
   if (!session) {
-    if (rows_to_solve(constraints, fit_options).values.size() > options.at_once) return std::nullopt;
+    if (rows_to_solve(question).values.size() > options.at_once) return std::nullopt;
     ++answers;
-    return session.emplace(constraints, fit_options, options.edit).fit();
+    return session.emplace(question.constraints, question.options, options.edit).fit();
   }
-  if (same_question({session->constraints(), session->options()}, constraints, fit_options)) {
+  if (same_question(session->constraints(), session->options(), question)) {
     answers += waiting.has_value();
     return session->fit();
   }
   try {
-    const Fit<Dim>& fit = session->update(constraints, fit_options);
+    const Fit<Dim>& fit = session->update(question.constraints, question.options, budget());
     ++answers;
     return fit;
-  } catch (const FullFitDue&) {
+  } catch (const OverBudget& over) {
+    if (over.reason() == EditReport::Full::no) due = Work::border;
     return std::nullopt;
   }
 }
 
 template <int Dim>
-void BackgroundSolver<Dim>::State::begin(Question question) {
-  running = std::make_unique<BackgroundFit<Dim>>(std::move(question), options.arrived);
+void BackgroundSolver<Dim>::State::begin(Work next, Ask question) {
+  std::optional<EditSession<Dim>> taken;
+  if (next == Work::border) taken = std::exchange(session, std::nullopt);
+  work = next;
   begun = answers;
+  running = std::make_unique<BackgroundSession<Dim>>(std::move(question), options.edit, std::move(taken),
+                                                     options.arrived);
 }
 
 template <int Dim>
 void BackgroundSolver<Dim>::State::refit_where_due() {
   if (!running && session->wants_refit() && session->fit().report.rows > options.at_once &&
       declined != answers)
-    begin(session->refit_job());
+    begin(Work::refit, {session->constraints(), session->options()});
 }
 
 template <int Dim>
-bool BackgroundSolver<Dim>::State::adopt(FullFit<Dim> fresh) {
+void BackgroundSolver<Dim>::State::cancel_where_useless() {
+  if (running->cancelled()) return;
+  // A document that grows or is dragged as a whole is still the same one: to begin anew with every step would
+  // be never to show any.
+  const Constraints<Dim>& constraints = running->question().constraints;
+  const bool another_document =
+      constraints.size() != waiting->constraints.size() && !alike(constraints, *waiting);
+  if (work == Work::refit || another_document) running->cancel();
+}
+
+template <int Dim>
+bool BackgroundSolver<Dim>::State::adopt(EditSession<Dim> fresh) {
   try {
-    const Handover handover = session->adopt(std::move(fresh));
+    const Handover handover = session->adopt(std::move(fresh), budget());
     if (handover.adopted) {
       difference = handover.difference;
       return true;
     }
-  } catch (const Error&) {  // FullFitDue: it is no better ground than the one there is
+  } catch (const Error&) {  // it is no better ground than the one there is
   }
   declined = answers;
   return false;
 }
 
-// Where it is newer than what is shown, and of nearly the same constraints: not another document's.
-template <int Dim>
-void BackgroundSolver<Dim>::State::show_meanwhile(const FullFit<Dim>& fresh) {
-  newer.reset();
-  if (begun != answers) return;
-  try {
-    const Rows<Dim> rows = rows_to_solve(waiting->constraints, waiting->options);
-    if (RowFinder<Dim>(fresh.rows.centers).match(rows.centers).size() <= rows.values.size() / 2)
-      newer = fresh.fit;
-  } catch (const ConstraintError&) {  // the present ones are impossible: that is shown
-  }
-}
-
 template <int Dim>
 bool BackgroundSolver<Dim>::State::take_in() {
-  Question question = running->job();
-  std::optional<FullFit<Dim>> fresh;
-  try {
-    const std::unique_ptr<BackgroundFit<Dim>> done = std::move(running);
-    fresh.emplace(done->take());
-  } catch (...) {
-    refusal = Refusal{std::move(question), std::current_exception()};
-    return !waiting;
+  const bool cancelled = running->cancelled();
+  Ask question = running->question();
+  auto [fresh, error] = std::exchange(running, nullptr)->take();
+  const bool is_back = work == Work::border && !session;
+  if (is_back) session = std::move(fresh);
+  if (error) {
+    if (!cancelled) refusal = Refusal{std::move(question), error};
+    return !waiting && !cancelled;
   }
-  if (session && !waiting) return adopt(std::move(*fresh));
-  if (waiting) show_meanwhile(*fresh);
-  if (!session || (waiting && same_options(waiting->options, question.options, Dim)))
-    session.emplace(std::move(*fresh), question.constraints, options.edit);
-  return !waiting;
+  if (!waiting) return work == Work::refit && session && adopt(std::move(*fresh));
+
+  // What was asked before is shown where it is newer than what is shown, and not of another document.
+  const EditSession<Dim>& arrived = is_back ? *session : *fresh;
+  newer.reset();
+  if (begun == answers && alike(arrived.constraints(), *waiting)) newer = arrived.fit();
+  if (!is_back && (!session || same_options(waiting->options, question.options, Dim)))
+    session = std::move(fresh);
+  return false;
 }
 
 template <int Dim>
@@ -164,7 +189,7 @@ bool BackgroundSolver<Dim>::State::poll() {
   try {
     take_in();
     if (!at_once(*waiting)) {
-      begin(*waiting);
+      begin(due, *waiting);
       return newer.has_value();
     }
   } catch (const std::exception&) {  // which is the answer, for when it is asked again
@@ -177,9 +202,9 @@ bool BackgroundSolver<Dim>::State::poll() {
 template <int Dim>
 Fit<Dim> BackgroundSolver<Dim>::State::answer(const Constraints<Dim>& constraints,
                                               const FitOptions& fit_options) {
-  Question question{constraints, fit_options};
+  Ask question{constraints, fit_options};
   if (waiting) waiting = question;
-  if (running && running->ready() && !waiting) take_in();
+  if (running) running->follow(question);
   std::optional<Fit<Dim>> fit = at_once(question);
   if (!fit && waiting && running && running->ready()) {
     take_in();
@@ -188,17 +213,20 @@ Fit<Dim> BackgroundSolver<Dim>::State::answer(const Constraints<Dim>& constraint
   if (fit) {
     waiting.reset();
     newer.reset();
+    if (running && work != Work::refit) running->cancel();
     refit_where_due();
     return std::move(*fit);
   }
-  if (!running) begin(question);
   waiting = std::move(question);
+  if (running)
+    cancel_where_useless();
+  else
+    begin(due, *waiting);
   throw StillSolving<Dim>(std::exchange(newer, std::nullopt));
 }
 
 template <int Dim>
 BackgroundSolver<Dim>::BackgroundSolver(BackgroundOptions options) : state_(std::make_shared<State>()) {
-  options.edit.largest_full = options.at_once;
   state_->options = std::move(options);
 }
 
@@ -216,6 +244,12 @@ bool BackgroundSolver<Dim>::poll() const {
 template <int Dim>
 bool BackgroundSolver<Dim>::busy() const {
   return state_->running != nullptr;
+}
+
+template <int Dim>
+std::optional<double> BackgroundSolver<Dim>::fraction() const {
+  if (!state_->running || !state_->waiting) return std::nullopt;
+  return state_->running->fraction();
 }
 
 template <int Dim>

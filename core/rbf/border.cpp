@@ -96,7 +96,21 @@ Index Border<Dim>::unknown(const std::vector<Index>& removed, const PointsRef<Di
 }
 
 template <int Dim>
-Index Border<Dim>::set(const std::vector<Index>& removed, const PointsRef<Dim>& added, const Values& values) {
+Values Border<Dim>::change_of(const std::vector<Index>& removed, const Values& values) const {
+  Values change = values - base_->rows.values;
+  for (const Index row : removed) change[row] = 0.0;
+  return change;
+}
+
+template <int Dim>
+Index Border<Dim>::solves(const std::vector<Index>& removed, const PointsRef<Dim>& added,
+                          const Values& values) const {
+  return unknown(removed, added) + (change_of(removed, values) != change_ ? 1 : 0);
+}
+
+template <int Dim>
+Index Border<Dim>::set(const std::vector<Index>& removed, const PointsRef<Dim>& added, const Values& values,
+                       const Progress& progress) {
   SEESAW_CHECK_EQ(values.size(), n_);
   forget(removed, added);
   std::vector<Column> unknown;
@@ -104,8 +118,7 @@ Index Border<Dim>::set(const std::vector<Index>& removed, const PointsRef<Dim>& 
     if (find(row) < 0) unknown.push_back({row, Point<Dim>::Zero(), {}, {}});
   for (Index k = 0; k < added.cols(); ++k)
     if (find(Point<Dim>(added.col(k))) < 0) unknown.push_back(column_of(added.col(k)));
-  Values change = values - base_->rows.values;
-  for (const Index row : removed) change[row] = 0.0;
+  Values change = change_of(removed, values);
   const bool other_values = change != change_;
   const Index columns = static_cast<Index>(unknown.size()), solves = columns + (other_values ? 1 : 0);
 
@@ -119,7 +132,7 @@ Index Border<Dim>::set(const std::vector<Index>& removed, const PointsRef<Dim>& 
         right_sides(column.removed, k) = 1.0;
     }
     if (other_values) right_sides.col(columns).head(n_) = change;
-    const Eigen::MatrixXd z = base_->factorization.solve_all(right_sides);
+    const Eigen::MatrixXd z = base_->factorization.solve_all(right_sides, progress);
     const Index before = static_cast<Index>(columns_.size());
     for (Index k = 0; k < columns; ++k) {
       unknown[slot(k)].z = z.col(k);
@@ -167,12 +180,12 @@ std::optional<BorderedSolution> Border<Dim>::solution(const Values& added_values
 }
 
 template <int Dim>
-std::optional<BorderedSolution> Border<Dim>::solution_of(const Values& values,
-                                                         const Values& added_values) const {
+std::optional<BorderedSolution> Border<Dim>::solution_of(const Values& values, const Values& added_values,
+                                                         const Progress& progress) const {
   SEESAW_CHECK_EQ(values.size(), n_);
   Eigen::MatrixXd right_side = Eigen::MatrixXd::Zero(n_ + Dim + 1, 1);
   right_side.col(0).head(n_) = values;
-  return combine(base_->factorization.solve_all(right_side), added_values);
+  return combine(base_->factorization.solve_all(right_side, progress), added_values);
 }
 
 template class Border<2>;

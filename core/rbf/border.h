@@ -55,12 +55,16 @@ class Border {
 
   /// How many columns of Z `set` would have to solve for.
   Index unknown(const std::vector<Index>& removed, const PointsRef<Dim>& added) const;
+  /// How many solves `set` would take: those, and one where the values are not those of before.
+  Index solves(const std::vector<Index>& removed, const PointsRef<Dim>& added, const Values& values) const;
 
   /// Makes the border that of these old rows removed and these centers added (Dim x M, in the base's
   /// normalized coordinates, pairwise distinct), and the values of the old rows `values` (N; whatever one
   /// likes in removed ones). All columns of Z that are not known yet are solved for in one pass over the
-  /// matrix; returns how many. Those of added centers that are gone are forgotten.
-  Index set(const std::vector<Index>& removed, const PointsRef<Dim>& added, const Values& values);
+  /// matrix; returns how many. Those of added centers that are gone are forgotten. Where `progress` says stop
+  /// it throws Cancelled, and must be set again before it solves.
+  Index set(const std::vector<Index>& removed, const PointsRef<Dim>& added, const Values& values,
+            const Progress& progress = {});
 
   /// The solution for values `added_values` (M) in the added rows; none where the Schur complement is
   /// singular: the rows then contradict each other, or nearly. N times the border's multiplications.
@@ -68,7 +72,8 @@ class Border {
 
   /// The solution for any other values of old and added rows, without what `set` was told: for what a
   /// solution missed, say. One more solve.
-  std::optional<BorderedSolution> solution_of(const Values& values, const Values& added_values) const;
+  std::optional<BorderedSolution> solution_of(const Values& values, const Values& added_values,
+                                              const Progress& progress = {}) const;
 
  private:
   // A column of the border and its solution.
@@ -82,6 +87,8 @@ class Border {
     bool is(const Point<Dim>& center) const { return removed < 0 && added == center; }
   };
 
+  /// What `values` add to the base's, but for removed rows.
+  Values change_of(const std::vector<Index>& removed, const Values& values) const;
   void forget(const std::vector<Index>& removed, const PointsRef<Dim>& added);
   template <class Key>
   Index find(const Key& key) const;

@@ -202,8 +202,9 @@ bool cholesky(Symmetric& a, Index first, const Progress& progress) {
 
 // A few columns wait for the matrix to come from memory, and go through a panel one by one; many wait for the
 // processor, and go through together. (One column takes as long either way; 80 together take half as long.)
-void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x) {
+void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x, const Progress& progress) {
   const OneThread alone;
+  Watch watch(progress);
   constexpr Index many = 3;
   const Index n = a.size(), m = x.cols();
   std::vector<std::pair<Index, Index>> panels;
@@ -211,7 +212,13 @@ void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x) {
   const auto rows_from = [&](Index i, Index count) -> Block {
     return {x.data() + (i - first), count, m, x.outerStride()};
   };
+  // The first half of the panels have three quarters of the numbers, and go first.
+  const auto reached = [&](Index j, bool forward) {
+    const double left = static_cast<double>(n - j) / static_cast<double>(n - first);
+    watch.reached(0.5 * (forward ? 1.0 - left * left : 1.0 + left * left));
+  };
   for (const auto& [j, w] : panels) {
+    reached(j, true);
     const ConstBlock diagonal = block(a, j, j, w, w);
     const Index rest = n - j - w;
     if (m < many) {
@@ -227,6 +234,7 @@ void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x) {
   }
   for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel) {
     const auto& [j, w] = *panel;
+    reached(j, false);
     const ConstBlock diagonal = block(a, j, j, w, w);
     const Index rest = n - j - w;
     if (m < many) {

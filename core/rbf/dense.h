@@ -79,7 +79,7 @@ bool cholesky(Symmetric& a, Index first, const Progress& progress = {});
 
 /// x := block^-1 x for each column of x, (n - first) x m, given L. The matrix is read once however many
 /// columns.
-void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x);
+void solve(const Symmetric& a, Index first, Eigen::Ref<Eigen::MatrixXd> x, const Progress& progress = {});
 
 /// "BLAS" or "Eigen".
 const char* name();

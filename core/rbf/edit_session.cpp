@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/check.h"
 #include "core/base/random.h"
@@ -28,6 +29,8 @@ constexpr double largest_coordinate = 4.0;
 // A factorization of N rows takes about as long as N / this many columns of a border. (Measured from N = 300
 // to 3000, on one core: N / 6 solves; the rest is the Schur complement.)
 constexpr Index rows_a_solve = 12;
+
+constexpr Index most_refinements = 2;
 
 Kernel kernel_of(const FitOptions& options, int dimension) {
   return options.kernel.value_or(papers_kernel(dimension));
@@ -95,9 +98,9 @@ std::string_view name_of(EditReport::Full full) {
   return "";
 }
 
-FullFitDue::FullFitDue(EditReport::Full reason, Index rows)
-    : Error(std::string(name_of(reason)) + "; it has " + std::to_string(rows) +
-            " rows, more than are fitted at once"),
+OverBudget::OverBudget(EditReport::Full reason, Index rows)
+    : Error(std::string(name_of(reason)) + "; with " + std::to_string(rows) +
+            " rows that is more than may be done at once"),
       reason_(reason),
       rows_(rows) {}
 
@@ -109,16 +112,11 @@ EditSession<Dim>::Ground::Ground(FullFit<Dim> fresh)
 
 template <int Dim>
 EditSession<Dim>::EditSession(const Constraints<Dim>& constraints, const FitOptions& options,
-                              const EditOptions& edit)
-    : EditSession(full_fit(constraints, options), constraints, edit) {}
-
-template <int Dim>
-EditSession<Dim>::EditSession(FullFit<Dim> fresh, const Constraints<Dim>& constraints,
-                              const EditOptions& edit)
+                              const EditOptions& edit, const Progress& progress)
     : edit_(edit),
       constraints_(constraints),
-      options_(fresh.options),
-      ground_(std::move(fresh)),
+      options_(options),
+      ground_(full_fit(constraints, options, progress)),
       fit_(ground_.full->fit) {
   last_.checked = fit_.report.rows;
   last_.residual = fit_.report.max_residual;
@@ -135,10 +133,11 @@ const Fit<Dim>& EditSession<Dim>::update(const Constraints<Dim>& constraints) {
 }
 
 template <int Dim>
-const Fit<Dim>& EditSession<Dim>::update(const Constraints<Dim>& constraints, const FitOptions& options) {
+const Fit<Dim>& EditSession<Dim>::update(const Constraints<Dim>& constraints, const FitOptions& options,
+                                         const Budget& budget, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   EditReport edit;
-  Fit<Dim> fit = next(constraints, options, edit);
+  Fit<Dim> fit = next({constraints, options, budget, progress}, edit);
   fit.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Constraints<Dim> copy = constraints;
   fit_ = std::move(fit);
@@ -149,32 +148,31 @@ const Fit<Dim>& EditSession<Dim>::update(const Constraints<Dim>& constraints, co
 }
 
 template <int Dim>
-Fit<Dim> EditSession<Dim>::next(const Constraints<Dim>& constraints, const FitOptions& options,
-                                EditReport& edit) {
+Fit<Dim> EditSession<Dim>::next(const Asked& asked, EditReport& edit) {
+  const FitOptions& options = asked.options;
   SEESAW_CHECK_LE(0.0, options.smoothing);
   const FullFit<Dim>& base = *ground_.full;
-  const Rows<Dim> rows = system_rows(constraints, options);
+  const Rows<Dim> rows = system_rows(asked.constraints, options);
   if (kernel_of(options, Dim) != base.kernel() || options.smoothing != base.options.smoothing ||
       (options.condition && !base.options.condition)) {
     edit.full = Full::options;
-    return refit(constraints, options, rows.values.size(), edit);
+    return refit(asked, rows.values.size(), edit);
   }
   const RowMatch match = ground_.finder.match(rows.centers);
   edit.full = reason_for_full(rows, match);
-  if (edit.full != Full::no) return refit(constraints, options, rows.values.size(), edit);
+  if (edit.full != Full::no) return refit(asked, rows.values.size(), edit);
   edit.removed = static_cast<Index>(match.removed.size());
   edit.added = static_cast<Index>(match.added.size());
-  Fit<Dim> result = bordered(rows, match, counted(constraints), edit);
-  if (edit.full != Full::no) return refit(constraints, options, rows.values.size(), edit);
+  Fit<Dim> result = bordered(asked, rows, match, edit);
+  if (edit.full != Full::no) return refit(asked, rows.values.size(), edit);
   if (!options.condition) result.report.reciprocal_condition = 1.0;
   return result;
 }
 
 template <int Dim>
-Fit<Dim> EditSession<Dim>::refit(const Constraints<Dim>& constraints, const FitOptions& options, Index rows,
-                                 EditReport& edit) {
-  if (rows > edit_.largest_full) throw FullFitDue(edit.full, rows);
-  Ground fresh(full_fit(constraints, options));
+Fit<Dim> EditSession<Dim>::refit(const Asked& asked, Index rows, EditReport& edit) {
+  if (rows > asked.budget.full) throw OverBudget(edit.full, rows);
+  Ground fresh(full_fit(asked.constraints, asked.options, asked.progress));
   ground_ = std::move(fresh);
   const Fit<Dim>& fit = ground_.full->fit;
   EditReport report;
@@ -209,7 +207,7 @@ Full EditSession<Dim>::reason_for_full(const Rows<Dim>& rows, const RowMatch& ma
 }
 
 template <int Dim>
-Fit<Dim> EditSession<Dim>::bordered(const Rows<Dim>& rows, const RowMatch& match, FitReport report,
+Fit<Dim> EditSession<Dim>::bordered(const Asked& asked, const Rows<Dim>& rows, const RowMatch& match,
                                     EditReport& edit) {
   const FullFit<Dim>& base = *ground_.full;
   const Index n = rows.values.size();
@@ -246,8 +244,12 @@ Fit<Dim> EditSession<Dim>::bordered(const Rows<Dim>& rows, const RowMatch& match
 
   Values old = base.rows.values, added;
   split(rows.values, old, added);
-  edit.solves =
-      ground_.border.set(match.removed, normalization.apply(rows.centers(Eigen::all, match.added)), old);
+  const Points<Dim> centers = normalization.apply(rows.centers(Eigen::all, match.added));
+  const double size = static_cast<double>(base.rows.values.size());
+  if (2 * size * size * static_cast<double>(ground_.border.solves(match.removed, centers, old)) >
+      asked.budget.border)
+    throw OverBudget(Full::no, n);
+  edit.solves = ground_.border.set(match.removed, centers, old, asked.progress);
   auto parts = ground_.border.solution(added);
   const auto give_up = [&] {
     edit.full = Full::inaccurate;
@@ -262,27 +264,32 @@ Fit<Dim> EditSession<Dim>::bordered(const Rows<Dim>& rows, const RowMatch& match
   for (Index i = 0; i < n; i += step)
     if (match.old_row[slot(i)] >= 0) looked_at.push_back(i);
   Values missed = missed_at(function, looked_at);
-  const double believed = edit_.accuracy * target;
-  if (!(missed.cwiseAbs().maxCoeff() <= believed)) {
-    std::vector<Index> all;
-    for (Index i = 0; i < n; ++i) all.push_back(i);
+  // In normalized coordinates all centers are within [-1, 1], or were when they were normalized.
+  const double largest_phi = std::pow(2 * std::sqrt(double{Dim}), growth_of(base.kernel()));
+  const auto believed = [&] {
+    const double rounding =
+        std::numeric_limits<double>::epsilon() * largest_phi * solution.weights.cwiseAbs().sum();
+    return std::max(edit_.accuracy * target, edit_.rounding * rounding);
+  };
+  for (; !(missed.cwiseAbs().maxCoeff() <= believed()); ++edit.refinements) {
+    if (edit.refinements == most_refinements) return give_up();
+    looked_at.resize(static_cast<std::size_t>(n));
+    std::iota(looked_at.begin(), looked_at.end(), Index{0});
     Values old_missed = Values::Zero(base.rows.values.size());
-    split(missed_at(function, all), old_missed, added);
-    parts = ground_.border.solution_of(old_missed, added);
+    split(missed_at(function, looked_at), old_missed, added);
+    parts = ground_.border.solution_of(old_missed, added, asked.progress);
     if (!parts) return give_up();
     ++edit.solves;
-    edit.refined = true;
     const Solution correction = joined(*parts);
     solution.weights += correction.weights;
     solution.polynomial += correction.polynomial;
     function = function_of_rows(solution);
-    looked_at = all;
     missed = missed_at(function, looked_at);
-    if (!(missed.cwiseAbs().maxCoeff() <= believed)) return give_up();
   }
   edit.checked = static_cast<Index>(looked_at.size());
   edit.residual = missed.cwiseAbs().maxCoeff();
 
+  FitReport report = counted(asked.constraints);
   report.kernel = base.kernel();
   report.smoothing = base.options.smoothing;
   report.rows = n;
@@ -299,22 +306,18 @@ Fit<Dim> EditSession<Dim>::bordered(const Rows<Dim>& rows, const RowMatch& match
 }
 
 template <int Dim>
-Handover EditSession<Dim>::adopt(FullFit<Dim> fresh) {
-  if (fresh.kernel() != ground_.full->kernel() || fresh.options.smoothing != options_.smoothing ||
-      (options_.condition && !fresh.options.condition) || fresh.fit.report.degenerate)
+Handover EditSession<Dim>::adopt(EditSession fresh, const Budget& budget) {
+  const FullFit<Dim>& full = *fresh.ground_.full;
+  if (full.kernel() != ground_.full->kernel() || full.options.smoothing != options_.smoothing ||
+      (options_.condition && !full.options.condition) || full.fit.report.degenerate)
     return {};
-  Ground other(std::move(fresh));
   const Rows<Dim> rows = system_rows(constraints_, options_);
-  if (other.finder.match(rows.centers).size() > ground_.finder.match(rows.centers).size()) return {};
+  if (fresh.ground_.finder.match(rows.centers).size() > ground_.finder.match(rows.centers).size()) return {};
 
-  const Interpolant<Dim> before = fit_.function;
-  std::swap(ground_, other);
-  try {
-    update(constraints_, options_);
-  } catch (...) {
-    std::swap(ground_, other);
-    throw;
-  }
+  fresh.edit_ = edit_;
+  fresh.update(constraints_, options_, budget);
+  std::swap(*this, fresh);
+  const Interpolant<Dim>& before = fresh.fit_.function;
   // The same points every time, in the box around the rows and at rows.
   Random random(1);
   const Index count = std::clamp<Index>(edit_.check / rows.values.size(), 100, 1000);

@@ -17,11 +17,11 @@
 // waits for. Rows are compared, not edits: what the user did, or undid, and in which order, does not matter.
 //
 // A border costs a little with every row, and digits. So after some tens of rows a fresh fit is due. It can
-// be had without a pause: a RefitJob is plain data for another thread, and what has been edited meanwhile
-// becomes the border of the fresh fit.
+// be had without a pause: a session of the present constraints is begun on another thread, and what has been
+// edited meanwhile becomes its border.
 //
 //     if (session.wants_refit() && !refit.valid())
-//       refit = std::async(std::launch::async, [job = session.refit_job()] { return job.run(); });
+//       refit = std::async(std::launch::async, [c = session.constraints()] { return EditSession<2>(c); });
 //     if (refit.valid() && refit.wait_for(0s) == std::future_status::ready)
 //       residual = session.adopt(refit.get()).difference;
 //
@@ -32,8 +32,8 @@
 // other that only a factorization can tell whether they can be told apart, there is a full fit. So the
 // errors, too, are those of fit().
 //
-// Whoever cannot wait for a full fit says how large one may be (EditOptions::largest_full): a larger one is
-// not made but asked for, by FullFitDue, and what was made elsewhere is a session's start. That is what
+// Whoever cannot wait says how much may be done (Budget). What would be more is not begun, and OverBudget
+// says so; a session that has gone to another thread does it there, and comes back. That is what
 // core/editing/background_solver.h does.
 #pragma once
 
@@ -53,13 +53,23 @@ struct EditOptions {
   Index largest_border = 128;
   /// Rows removed and added since the last full fit from which on `wants_refit`.
   Index refit_border = 32;
-  /// The largest |f(c_i) - h_i| that is believed, relative to the largest |h|.
+  /// The largest |f(c_i) - h_i| that is believed, relative to the largest |h| ...
   double accuracy = 1e-9;
+  /// ... or, if that is more, relative to what rounding a sum of terms |w_j| phi may cost at most. Some
+  /// hundredth of that is left where errors of either sign meet, and fit() misses by as much. (Of r^3 in 2D
+  /// with 5000 rows, one of them pulled out of line: 2e-9 of the values.)
+  double rounding = 0.05;
   /// Kernel evaluations that may be spent on looking at rows that did not change: all of them where N^2 is
   /// less, that many / N otherwise, evenly over the list.
   Index check = 200000;
-  /// Where a full fit of more rows than this is due, `update` throws FullFitDue instead.
-  Index largest_full = std::numeric_limits<Index>::max();
+};
+
+/// What an update may cost at most.
+struct Budget {
+  /// Rows of a full fit.
+  Index full = std::numeric_limits<Index>::max();
+  /// Multiplications of a border, 2 N^2 for each of its solves. A tenth of a second for 1e9 of them.
+  double border = infinity;
 };
 
 /// How the last function came about.
@@ -79,7 +89,7 @@ struct EditReport {
   Full full = Full::first;
   Index removed = 0, added = 0;  ///< rows of the border
   Index solves = 0;              ///< solves with the old matrix
-  bool refined = false;
+  Index refinements = 0;         ///< steps of iterative refinement
   Index checked = 0;      ///< rows at which the finished function was looked at; all of them after a full fit
   double residual = 0.0;  ///< the largest |f(c_i) - h_i| of those (with smoothing: beyond what it should be)
 };
@@ -87,11 +97,12 @@ struct EditReport {
 /// "full fit: many changes" and the like, or "bordered".
 std::string_view name_of(EditReport::Full full);
 
-/// A full fit is due, and larger than EditOptions::largest_full.
-class FullFitDue : public Error {
+/// What is due costs more than was granted.
+class OverBudget : public Error {
  public:
-  FullFitDue(EditReport::Full reason, Index rows);
+  OverBudget(EditReport::Full reason, Index rows);
 
+  /// Why a full fit is due; `no` where a border is.
   EditReport::Full reason() const { return reason_; }
   Index rows() const { return rows_; }
 
@@ -100,20 +111,10 @@ class FullFitDue : public Error {
   Index rows_;
 };
 
-/// A full fit to be made elsewhere. Plain data.
-template <int Dim>
-struct RefitJob {
-  Constraints<Dim> constraints;
-  FitOptions options;
-
-  /// Throws ConstraintError, as `fit` does.
-  FullFit<Dim> run() const { return full_fit(constraints, options); }
-};
-
-/// Of a full fit that was handed to a session.
+/// Of a fresh session that was handed to another.
 struct Handover {
-  /// False where the session keeps the fit it has: the fresh one is of another kernel or smoothing, or
-  /// further from the present constraints.
+  /// False where the session stays what it was: the fresh one is of another kernel or smoothing, or its full
+  /// fit is further from the present constraints.
   bool adopted = false;
   /// The largest difference of the functions before and after, of the same constraints, at rows and at points
   /// in the box around them: what editing without refitting had cost. In units of the values.
@@ -126,17 +127,16 @@ class EditSession {
  public:
   /// A full fit; throws ConstraintError as `fit` does.
   explicit EditSession(const Constraints<Dim>& constraints, const FitOptions& options = {},
-                       const EditOptions& edit = {});
-  /// With a full fit that was made elsewhere, of these constraints.
-  EditSession(FullFit<Dim> fresh, const Constraints<Dim>& constraints, const EditOptions& edit = {});
+                       const EditOptions& edit = {}, const Progress& progress = {});
 
   /// The function of these constraints: fit()'s to some 1e-9 of the values, with centers in the same order.
-  /// Throws ConstraintError as `fit` does (same reason, same culprits), and FullFitDue; the session then
-  /// stays what it was. In the report, the reciprocal condition is that of the last full fit and
-  /// `max_residual` that of the rows looked at.
+  /// Throws ConstraintError as `fit` does (same reason, same culprits), OverBudget, and Cancelled where
+  /// `progress` says stop; the session then stays what it was. In the report, the reciprocal condition is
+  /// that of the last full fit and `max_residual` that of the rows looked at.
   const Fit<Dim>& update(const Constraints<Dim>& constraints);
   /// Another kernel or smoothing is a full fit.
-  const Fit<Dim>& update(const Constraints<Dim>& constraints, const FitOptions& options);
+  const Fit<Dim>& update(const Constraints<Dim>& constraints, const FitOptions& options,
+                         const Budget& budget = {}, const Progress& progress = {});
 
   /// The last ones that could be met.
   const Constraints<Dim>& constraints() const { return constraints_; }
@@ -148,11 +148,10 @@ class EditSession {
 
   /// True when the border has grown to where a fresh fit is due.
   bool wants_refit() const;
-  /// Of the present constraints.
-  RefitJob<Dim> refit_job() const { return {constraints_, options_}; }
-  /// Takes what a refit_job's run() returned; what changed since becomes its border. Costs an update. Throws
-  /// as `update` does; the session then stays what it was.
-  Handover adopt(FullFit<Dim> fresh);
+  /// Takes over the full fit of another session, and what is known of its border; what its constraints lack
+  /// of the present ones is bordered first. Costs an update. Throws as `update` does; the session then stays
+  /// what it was.
+  Handover adopt(EditSession fresh, const Budget& budget = {});
 
  private:
   // The last full fit, and what was solved with it.
@@ -163,12 +162,18 @@ class EditSession {
 
     explicit Ground(FullFit<Dim> fresh);
   };
+  // What an update is asked for, and what it may cost.
+  struct Asked {
+    const Constraints<Dim>& constraints;
+    const FitOptions& options;
+    const Budget& budget;
+    const Progress& progress;
+  };
 
-  Fit<Dim> next(const Constraints<Dim>& constraints, const FitOptions& options, EditReport& edit);
-  Fit<Dim> bordered(const Rows<Dim>& rows, const RowMatch& match, FitReport report, EditReport& edit);
+  Fit<Dim> next(const Asked& asked, EditReport& edit);
+  Fit<Dim> bordered(const Asked& asked, const Rows<Dim>& rows, const RowMatch& match, EditReport& edit);
   EditReport::Full reason_for_full(const Rows<Dim>& rows, const RowMatch& match) const;
-  Fit<Dim> refit(const Constraints<Dim>& constraints, const FitOptions& options, Index rows,
-                 EditReport& edit);
+  Fit<Dim> refit(const Asked& asked, Index rows, EditReport& edit);
 
   EditOptions edit_;
   Constraints<Dim> constraints_;

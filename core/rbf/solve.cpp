@@ -113,7 +113,8 @@ Solution Factorization<Dim>::solve(const Eigen::Ref<const Values>& values) {
 }
 
 template <int Dim>
-Eigen::MatrixXd Factorization<Dim>::solve_all(const Eigen::MatrixXd& right_sides) const {
+Eigen::MatrixXd Factorization<Dim>::solve_all(const Eigen::MatrixXd& right_sides,
+                                              const Progress& progress) const {
   SEESAW_CHECK_EQ(right_sides.rows(), n_ + Dim + 1);
   SEESAW_CHECK_EQ(positive_definite_, true);
   const Index free = n_ - rank_, m = right_sides.cols();
@@ -127,7 +128,7 @@ Eigen::MatrixXd Factorization<Dim>::solve_all(const Eigen::MatrixXd& right_sides
     v.col(k) = sign_ * rotated.col(k).tail(free);
     for (Index i = 0; i < rank_; ++i) v.col(k) -= z(i, k) * matrix_.column_from(rank_, i);
   }
-  dense::solve(matrix_, rank_, v);
+  dense::solve(matrix_, rank_, v, progress);
 
   Eigen::MatrixXd result(n_ + Dim + 1, m);
   for (Index k = 0; k < m; ++k) {

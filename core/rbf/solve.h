@@ -63,8 +63,8 @@ class Factorization {
   /// [w; p] for many right sides [h; b] at once, (N + Dim + 1) x m, whose bottoms need not be zero: P' w = b
   /// may ask for any sums over the weights (for centers on one line or plane: for what sums there can be, the
   /// nearest). The matrix is read once for all of them. Needs positive_definite(). 2 N^2 multiplications
-  /// each.
-  Eigen::MatrixXd solve_all(const Eigen::MatrixXd& right_sides) const;
+  /// each. Throws Cancelled where `progress` says stop.
+  Eigen::MatrixXd solve_all(const Eigen::MatrixXd& right_sides, const Progress& progress = {}) const;
   /// Of s Q2' (Phi + s lambda I) Q2 in the 1-norm, estimated; three solves, less those that rode along above.
   double reciprocal_condition();
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <thread>
 
+#include "core/editing/background_session.h"
 #include "core/editing/editor.h"
 #include "tests/core/rbf/edited.h"
 
@@ -18,9 +19,12 @@ using ElsewhereReason = ConstraintError::Reason;
 BackgroundOptions busy_options(Index at_once = 90) {
   return {.at_once = at_once, .edit = {.smallest = 20, .largest_border = 24, .refit_border = 8}};
 }
-/// Every full fit is made elsewhere.
-BackgroundOptions elsewhere(std::function<void()> arrived = {}) {
-  return {.at_once = 0, .edit = {.smallest = 20}, .arrived = std::move(arrived)};
+/// Every full fit is made elsewhere; borders, too, where `border_at_once` is 0.
+BackgroundOptions elsewhere(std::function<void()> arrived = {}, double border_at_once = infinity) {
+  return {.at_once = 0,
+          .border_at_once = border_at_once,
+          .edit = {.smallest = 20},
+          .arrived = std::move(arrived)};
 }
 
 template <int Dim>
@@ -79,7 +83,9 @@ TYPED_TEST(BackgroundIn, WhateverIsEditedMeanwhileItIsFitsFunction) {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     Random random(seed);
     auto constraints = random_constraints<Dim>(75, random);
-    Solved<Dim> solved(constraints, busy_options());
+    BackgroundOptions options = busy_options();
+    options.border_at_once = seed % 2 ? infinity : 2.5e4;  // two or three solves
+    Solved<Dim> solved(constraints, options);
     for (int k = 0; k < 250; ++k) {
       if (random.index(12) == 0) solved.document.kernel = all_kernels[random.index(3)];
       if (random.index(12) == 0) solved.document.smoothing = random.index(2) ? 0.01 * random.uniform() : 0.0;
@@ -88,7 +94,8 @@ TYPED_TEST(BackgroundIn, WhateverIsEditedMeanwhileItIsFitsFunction) {
       solved.ask();
       ASSERT_FALSE(solved.shape.impossible);
       pending += solved.shape.pending;
-      bordered += solved.shape.current() && solved.solver.session()->last().full == Full::no;
+      bordered += solved.shape.current() && solved.solver.session() &&
+                  solved.solver.session()->last().full == Full::no;
       if (random.index(3) == 0) std::this_thread::sleep_for(std::chrono::microseconds(random.index(3000)));
       if (random.index(2) && solved.solver.poll()) solved.ask();
       if (solved.shape.current() && k % 4 == 0)
@@ -177,6 +184,101 @@ TEST(BackgroundSolver, UndoneBeforeItArrivesItIsNotWaitedFor) {
   EXPECT_TRUE(solved.shape.current());
   EXPECT_FALSE(solved.solver.wait()) << "nobody wants what arrives";
   solved.expect_settled_as_fitted();
+}
+
+TEST(BackgroundSolver, ABorderThatTakesLongIsMadeElsewhereToo) {
+  Constraints<2> shape = ring();
+  Solved<2> solved(shape, elsewhere({}, 0));
+  solved.settle();
+  const auto before = solved.shape.function;
+  for (int k = 0; k < 40; ++k) {
+    for (std::size_t i = 10; i < 12; ++i) shape[i].at *= 1.003;
+    solved.set(shape);
+    solved.ask();
+    EXPECT_TRUE(solved.shape.pending);
+    EXPECT_TRUE(solved.solver.busy());
+    if (k % 3 == 0 && solved.solver.poll()) solved.ask();
+    if (k % 7 == 0) solved.expect_settled_as_fitted();
+  }
+  solved.expect_settled_as_fitted();
+  EXPECT_NE(solved.shape.function, before);
+  ASSERT_TRUE(solved.solver.session()) << "it is back";
+  EXPECT_EQ(solved.solver.session()->last().full, Full::no);
+}
+
+// The session is away; what it would be asked for meanwhile is another document, and a small one.
+TEST(BackgroundSolver, AnotherDocumentDoesNotWaitForASessionThatIsAway) {
+  Constraints<2> shape = ring(), small(shape.begin(), shape.begin() + 3);
+  BackgroundOptions options = elsewhere({}, 0);
+  options.at_once = 10;
+  Solved<2> solved(shape, options);
+  solved.settle();
+  shape[4].at *= 1.01;
+  solved.set(shape);
+  solved.ask();
+  EXPECT_TRUE(solved.shape.pending);
+  EXPECT_EQ(solved.solver.session(), nullptr);
+  EXPECT_TRUE(solved.solver.fraction());
+  solved.set(small);
+  solved.ask();
+  EXPECT_TRUE(solved.shape.current());
+  EXPECT_FALSE(solved.solver.fraction()) << "nobody waits for it";
+  EXPECT_FALSE(solved.solver.wait());
+  solved.expect_settled_as_fitted();
+  solved.set(shape);
+  solved.ask();
+  solved.expect_settled_as_fitted();
+}
+
+TEST(BackgroundSession, FollowsWhatIsEditedMeanwhile) {
+  Random random(8);
+  auto constraints = random_constraints<2>(300, random);
+  BackgroundSession<2> work({constraints});
+  for (std::size_t i = 0; i < 40; ++i) constraints[i].value += 0.1;
+  work.follow({constraints});
+  work.wait();
+  EXPECT_TRUE(work.ready());
+  EXPECT_EQ(work.fraction(), 1.0);
+  auto result = work.take();
+  EXPECT_FALSE(result.refusal);
+  ASSERT_TRUE(result.session);
+  expect_as_fitted(result.session->fit(), fit(constraints));
+  EXPECT_LE(result.session->last().solves, 2);
+}
+
+TEST(BackgroundSession, FollowsNoFartherThanABorderGoes) {
+  const Constraints<2> shape = ring();
+  Constraints<2> bad = shape;
+  bad[4].at = bad[60].at;
+  BackgroundSession<2> other_kernel({shape}), impossible({shape});
+  other_kernel.follow({shape, {.kernel = Kernel::cubic}});
+  impossible.follow({bad});
+  for (BackgroundSession<2>* each : {&other_kernel, &impossible}) {
+    auto result = each->take();
+    EXPECT_FALSE(result.refusal);
+    ASSERT_TRUE(result.session);
+    EXPECT_LE(difference(result.session->fit().function, fit(shape).function), as_good_as_fit);
+  }
+}
+
+TEST(BackgroundSession, CancelledItComesBackAsItWas) {
+  Random random(9);
+  auto constraints = random_constraints<3>(600, random);
+  std::optional<EditSession<3>> session(std::in_place, constraints);
+  const Fit<3> before = session->fit();
+  for (auto& each : constraints) each.at *= 1.01;  // a full fit
+  BackgroundSession<3> work({constraints}, {}, std::move(session));
+  work.cancel();
+  auto result = work.take();
+  ASSERT_TRUE(result.session);
+  ASSERT_TRUE(result.refusal);
+  EXPECT_THROW(std::rethrow_exception(result.refusal), Cancelled);
+  EXPECT_EQ(result.session->fit().function.normalized_weights(), before.function.normalized_weights());
+  EXPECT_LT(work.fraction(), 1.0);
+
+  BackgroundSession<3> first({constraints});
+  first.cancel();
+  EXPECT_FALSE(first.take().session);
 }
 
 TEST(BackgroundSolver, OneAtATime) {

@@ -171,56 +171,93 @@ TEST(EditSession, InaccurateIsRefinedOrFittedAgain) {
   const double residual = measured.last().residual / largest;
   ASSERT_GT(residual, 1e-14);
 
-  EditSession<3> refining(constraints, {}, {.accuracy = 0.5 * residual});
+  EditSession<3> refining(constraints, {}, {.accuracy = 0.5 * residual, .rounding = 0});
   expect_as_fitted(refining.update(moved), fit(moved));
   EXPECT_EQ(refining.last().checked, refining.fit().report.rows);
   if (refining.last().full == Full::no) {
-    EXPECT_TRUE(refining.last().refined);
+    EXPECT_TRUE(refining.last().refinements);
     EXPECT_LT(refining.last().residual, measured.last().residual);
   } else {  // on two lanes a refinement may have nothing left to refine: the residual is rounding
     EXPECT_EQ(refining.last().full, Full::inaccurate);
   }
 
-  EditSession<3> refitting(constraints, {}, {.accuracy = 1e-18});
+  EditSession<3> refitting(constraints, {}, {.accuracy = 1e-18, .rounding = 0});
   expect_as_fitted(refitting.update(moved), fit(moved));
   EXPECT_EQ(refitting.last().full, Full::inaccurate);
+
+  EditSession<3> as_good_as_can_be(constraints, {}, {.accuracy = 1e-18});
+  expect_as_fitted(as_good_as_can_be.update(moved), fit(moved));
+  EXPECT_EQ(as_good_as_can_be.last().full, Full::no);
 }
 
-TEST(EditSession, AFullFitThatIsTooLargeIsAskedForInstead) {
+TEST(EditSession, ABorderThatCostsTooMuchIsNotBegun) {
+  Constraints<2> shape = ring();
+  EditSession<2> session(shape);
+  const double rows = static_cast<double>(session.fit().report.rows), solve = 2 * rows * rows;
+  const FitOptions same;
+  shape[4].at *= 0.99;  // one row goes, one comes
+  try {
+    session.update(shape, same, {.border = 1.9 * solve});
+    ADD_FAILURE() << "two solves were made";
+  } catch (const OverBudget& due) {
+    EXPECT_EQ(due.reason(), Full::no);
+    EXPECT_EQ(due.rows(), session.fit().report.rows);
+  }
+  expect_as_fitted(session.update(shape, same, {.border = 2 * solve}), fit(shape));
+  shape[4].at *= 0.99;
+  expect_as_fitted(session.update(shape, same, {.border = solve}), fit(shape));
+  shape[20].value += 0.1;
+  EXPECT_THROW(session.update(shape, same, {.border = 0}), OverBudget);
+  expect_as_fitted(session.update(shape, same, {.border = solve}), fit(shape));
+  expect_as_fitted(session.update(shape, same, {.border = 0}), fit(shape));
+}
+
+TEST(EditSession, StoppedItIsWhatItWas) {
+  Constraints<2> shape = ring();
+  EditSession<2> session(shape);
+  const Values before = session.fit().function.normalized_weights();
+  const FitOptions same, cubic{.kernel = Kernel::cubic};
+  const Progress stop = [](double fraction) { return fraction < 0.6; };
+  const auto other = shape;
+  for (const auto& options : {same, cubic}) {
+    for (std::size_t i = 0; i < 5; ++i) shape[i].at *= 1.01;
+    EXPECT_THROW(session.update(shape, options, {}, stop), Cancelled);
+    EXPECT_EQ(session.fit().function.normalized_weights(), before);
+    EXPECT_EQ(session.options().kernel, std::nullopt);
+  }
+  EXPECT_THROW(EditSession<2>(shape, same, {}, stop), Cancelled);
+  expect_as_fitted(session.update(other), fit(other));
+  expect_as_fitted(session.update(shape), fit(shape));
+}
+
+TEST(EditSession, WhatCostsTooMuchIsNotBegun) {
   Constraints<2> shape = ring(), few(shape.begin(), shape.begin() + 30);
   const Index rows = fit(shape).report.rows;
-  EditSession<2> session(shape, {}, {.largest_full = rows - 1});
+  EditSession<2> session(shape);
+  const Budget budget{.full = rows - 1};
+  const FitOptions same;
   shape[4].at *= 0.9;
-  session.update(shape);
+  session.update(shape, same, budget);
   EXPECT_EQ(session.last().full, Full::no) << "a border is none";
   const Values before = session.fit().function.normalized_weights();
   const FitOptions cubic{.kernel = Kernel::cubic};
   try {
-    session.update(shape, cubic);
+    session.update(shape, cubic, budget);
     ADD_FAILURE() << "a full fit was made";
-  } catch (const FullFitDue& due) {
+  } catch (const OverBudget& due) {
     EXPECT_EQ(due.reason(), Full::options);
     EXPECT_EQ(due.rows(), rows);
   }
   auto many = shape;
   for (Constraint<2>& each : many) each.at *= 1.01;
-  EXPECT_THROW(session.update(many), FullFitDue);
+  EXPECT_THROW(session.update(many, same, budget), OverBudget);
   EXPECT_EQ(session.fit().function.normalized_weights(), before);
   EXPECT_EQ(session.options().kernel, std::nullopt);
   shape[5].at *= 0.9;
-  expect_as_fitted(session.update(shape), fit(shape));
+  expect_as_fitted(session.update(shape, same, budget), fit(shape));
   EXPECT_EQ(session.last().full, Full::no);
-  expect_as_fitted(session.update(few), fit(few));
+  expect_as_fitted(session.update(few, same, budget), fit(few));
   EXPECT_EQ(session.last().full, Full::few_rows);
-
-  // What was made elsewhere is a session like any other.
-  EditSession<2> other(full_fit(shape, cubic), shape);
-  EXPECT_EQ(other.options().kernel, Kernel::cubic);
-  EXPECT_EQ(other.fit().function.normalized_weights(), fit(shape, cubic).function.normalized_weights());
-  EXPECT_EQ(other.last().residual, other.fit().report.max_residual);
-  shape[7].at *= 0.9;
-  expect_as_fitted(other.update(shape), fit(shape, cubic));
-  EXPECT_EQ(other.last().full, Full::no);
 }
 
 }  // namespace

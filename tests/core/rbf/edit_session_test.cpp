@@ -156,7 +156,7 @@ TEST(EditSession, ARefitIsHandedOverAmidEdits) {
     session.update(constraints);
   }
   EXPECT_GE(session.last().removed + session.last().added, EditOptions{}.refit_border);
-  auto refit = std::async(std::launch::async, [job = session.refit_job()] { return job.run(); });
+  auto refit = std::async(std::launch::async, [constraints] { return EditSession<2>(constraints); });
   for (int k = 0; k < 4; ++k) {
     edit_at_random(constraints, random);
     session.update(constraints);
@@ -181,12 +181,12 @@ TEST(EditSession, ARefitOfSomethingElseIsDeclined) {
   shape[2].at *= 1.1;
   session.update(shape);
   const Values weights = session.fit().function.normalized_weights();
-  EXPECT_FALSE(session.adopt(full_fit(shape, {.kernel = Kernel::cubic})).adopted);
-  EXPECT_FALSE(session.adopt(full_fit(shape, {.smoothing = 0.1})).adopted);
+  EXPECT_FALSE(session.adopt(EditSession<2>(shape, {.kernel = Kernel::cubic})).adopted);
+  EXPECT_FALSE(session.adopt(EditSession<2>(shape, {.smoothing = 0.1})).adopted);
   for (Constraint<2>& each : elsewhere) each.at *= 1.2;
-  EXPECT_FALSE(session.adopt(full_fit(elsewhere)).adopted);
+  EXPECT_FALSE(session.adopt(EditSession<2>(elsewhere)).adopted);
   EXPECT_EQ(session.fit().function.normalized_weights(), weights);
-  EXPECT_TRUE(session.adopt(session.refit_job().run()).adopted);
+  EXPECT_TRUE(session.adopt(EditSession<2>(shape)).adopted);
   EXPECT_EQ(session.last().removed + session.last().added, 0);
 }
 
