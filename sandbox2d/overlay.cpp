@@ -18,6 +18,9 @@ namespace {
 
 const Color selected = theme::series[0];
 
+// With more than so many of a kind a mark for each would cost a frame, and say no more.
+constexpr std::size_t crowd = 200;
+
 class Overlay {
  public:
   Overlay(Canvas& canvas, Desk& desk, const OverlayOptions& options)
@@ -86,17 +89,18 @@ class Overlay {
       const auto& normal = desk_.constraint(static_cast<Index>(i)).normal;
       Point<2> inward = Point<2>::Zero();
       if (normal) inward = Point<2>(-normal->direction.x(), normal->direction.y()).normalized();
-      draw_weight(at, weights.own[i], largest, full);
-      if (normal) draw_weight(at + 1.6 * full * inward, weights.normal[i], largest, full);
       found.push_back({weights.own[i], at});
       if (normal) found.push_back({weights.normal[i], at + 1.6 * full * inward});
     }
-    label_weights(std::move(found));
+    // Of a crowd the largest.
+    std::ranges::stable_sort(found, std::greater{}, [](const auto& each) { return std::abs(each.first); });
+    if (found.size() > 2 * crowd) found.resize(2 * crowd);
+    for (const auto& [weight, at] : found) draw_weight(at, weight, largest, full);
+    label_weights(found);
   }
 
   // The largest first, and as many as have room.
-  void label_weights(std::vector<std::pair<double, Point<2>>> weights) {
-    std::ranges::stable_sort(weights, std::greater{}, [](const auto& each) { return std::abs(each.first); });
+  void label_weights(const std::vector<std::pair<double, Point<2>>>& weights) {
     std::vector<Point<2>> taken;
     const Point<2> room(34 * s_, 15 * s_);
     for (const auto& [weight, at] : weights) {
@@ -147,10 +151,26 @@ class Overlay {
   }
 
   void draw_selection() {
-    for (const Index i : desk_.selection().indices()) {
-      const Point<2> at = place(i);
-      if (in_sight(at)) ring(at, 8.5, selected, 2);
+    std::vector<Point<2>> places;
+    for (const Index i : desk_.selection().indices())
+      if (const Point<2> at = place(i); in_sight(at)) places.push_back(at);
+    if (places.size() > crowd) return mark_crowd(places);
+    for (const Point<2>& at : places) ring(at, 8.5, selected, 2);
+  }
+
+  // A marker's stroke over all of them, as one mark.
+  void mark_crowd(const std::vector<Point<2>>& places) {
+    std::vector<Points<2>> discs;
+    discs.reserve(places.size());
+    for (const Point<2>& at : places) {
+      Points<2> disc(2, 12);
+      for (Index k = 0; k < 12; ++k) {
+        const double turn = M_PI / 6 * static_cast<double>(k);
+        disc.col(k) = at + 7 * s_ * Point<2>(std::cos(turn), std::sin(turn));
+      }
+      discs.push_back(std::move(disc));
     }
+    canvas_.fill_rings(discs, selected.with_alpha(0.45), FillRule::winding);
   }
 
   void draw_pointed() {
@@ -161,9 +181,11 @@ class Overlay {
   void draw_culprits() {
     const auto impossible = desk_.shape().impossible;
     if (!impossible) return;
+    std::size_t marked = 0;
     for (const Index i : impossible->culprits) {
       if (i < 0 || i >= desk_.editor().size()) continue;
       const Point<2> at = place(i);
+      if (!in_sight(at) || marked++ == 2 * crowd) continue;
       ring(at, 11, theme::moved, 2.4);
       const double reach = 15.5 * s_;
       for (const double sign : {1.0, -1.0}) {

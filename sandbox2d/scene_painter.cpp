@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/editing/hit_test.h"
 #include "core/implicit/grid_field.h"
+#include "core/scene/crowding.h"
 
 namespace seesaw {
 
@@ -20,25 +22,6 @@ double seconds_since(Clock::time_point start) {
 // From so many centers on a draft is drawn from a grid of the function: sampled once, for colors, isolines
 // and curve together. Fewer are as quick themselves, and exact.
 constexpr Index gridded_draft = 150;
-
-// Symbols do not hide the curve where there are thousands: no larger than the way to a neighbor, half of
-// them, and never smaller than can be seen.
-double symbol_size(const Document<2>& document, const PlanView& view, double wanted) {
-  const std::size_t n = document.constraints.size();
-  if (n < 100) return wanted;
-  std::vector<double> nearest;
-  for (std::size_t i = 0; i < n; i += std::max<std::size_t>(1, n / 100)) {
-    double least = infinity;
-    for (std::size_t j = 0; j < n; ++j)
-      if (j != i)
-        least = std::min(
-            least,
-            (document.constraints[i].constraint.at - document.constraints[j].constraint.at).squaredNorm());
-    nearest.push_back(std::sqrt(least));
-  }
-  std::ranges::nth_element(nearest, nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2));
-  return std::clamp(0.7 * view.scale * nearest[nearest.size() / 2], std::min(wanted, 0.3 * wanted), wanted);
-}
 
 }  // namespace
 
@@ -59,9 +42,12 @@ ScenePicture paint_scene(const SceneWish& wish, const SceneDetail& detail, Raste
   result.view = wish.view;
   Document<2> document = wish.document;
   document.display.view = wish.view.scene;
-  PictureOptions options{.symbol_size = symbol_size(document, wish.view, 11 * wish.scale),
+  const Reaches sizes;
+  const double share =
+      wish.scale * symbol_share(usual_spacing(document), wish.view.scale, wish.scale * sizes.symbol_size);
+  PictureOptions options{.symbol_size = share * sizes.symbol_size,
                          .curve_width = 2.2 * wish.scale,
-                         .spike_length = 26 * wish.scale,
+                         .spike_length = share * sizes.spike_length,
                          .text_size = 10 * wish.scale,
                          .detail = detail.picture};
   const auto drawn_from =

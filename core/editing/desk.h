@@ -226,6 +226,8 @@ class Desk {
   bool place(ConstraintKind kind, const Point<2>& at, const Held& held);
   bool give_normal();
   std::vector<Hit> hits_at(const Point<2>& at);
+  /// As it is drawn, pixels.
+  double spike_length();
 
   // desk_drag.cpp
   void move(const PointerMoved& event);
@@ -286,6 +288,8 @@ class Desk {
   std::optional<Kernel> other_kernel_;
   std::shared_ptr<const Interpolant<2>> other_;  // of other_kernel_
   std::uint64_t other_revision_ = ~std::uint64_t{0};
+  double spacing_ = 0;  // between constraints, of this revision:
+  std::uint64_t spacing_revision_ = ~std::uint64_t{0};
   bool other_pending_ = false;
   bool fit_when_solved_ = false;  // the view shows constraints alone: the curve was not there yet
 

@@ -115,8 +115,7 @@ void Desk::turn_normal(const Point<2>& at, const Held& held) {
   if (in_effect(DragEffect::straight, held)) direction = in_steps(direction);
   TurnNormal<2> turn{.which = which, .direction = direction.stableNormalized()};
   if (in_effect(DragEffect::value, held))
-    turn.value =
-        hand_->value * direction.stableNorm() / (options_.reaches.spike_length * scale_ * view_.pixel());
+    turn.value = hand_->value * direction.stableNorm() / (spike_length() * view_.pixel());
   open_gesture();
   did(turn);
 }

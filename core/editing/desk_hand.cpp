@@ -3,6 +3,7 @@
 
 #include "core/editing/curve_foot.h"
 #include "core/editing/desk.h"
+#include "core/scene/crowding.h"
 
 namespace seesaw {
 
@@ -22,9 +23,9 @@ std::vector<Hit> Desk::hits_at(const Point<2>& at) {
   const Tool now = tool();
   const bool sees_profile = profile_ && (now == Tool::select || now == Tool::profile);
   Reaches reaches = options_.reaches;
-  for (double Reaches::*each :
-       {&Reaches::constraint, &Reaches::spike, &Reaches::profile, &Reaches::curve, &Reaches::spike_length})
+  for (double Reaches::*each : {&Reaches::constraint, &Reaches::spike, &Reaches::profile, &Reaches::curve})
     reaches.*each *= scale_;
+  reaches.spike_length = spike_length();
   return hits(at,
               {.document = document(),
                .display = display_,
@@ -32,6 +33,16 @@ std::vector<Hit> Desk::hits_at(const Point<2>& at) {
                .profile = sees_profile ? &*profile_ : nullptr,
                .pixel = view_.pixel()},
               reaches);
+}
+
+double Desk::spike_length() {
+  if (spacing_revision_ != revision()) {
+    spacing_ = usual_spacing(document());
+    spacing_revision_ = revision();
+  }
+  const Reaches& reaches = options_.reaches;
+  return scale_ * reaches.spike_length *
+         symbol_share(spacing_, 1 / view_.pixel(), scale_ * reaches.symbol_size);
 }
 
 Hit Desk::hover() {

@@ -27,8 +27,9 @@ struct ProfileLine {
 /// All in pixels.
 struct Reaches {
   double constraint = 9, spike = 8, profile = 7, curve = 6;
-  /// How far from its constraint the free end of a spike is drawn: PictureOptions::spike_length.
-  double spike_length = 26;
+  /// How large symbols are drawn where they have room, and how far from its constraint the free end of a
+  /// spike: PictureOptions. Where there is none both are smaller (core/scene/crowding.h).
+  double symbol_size = 11, spike_length = 26;
 };
 
 struct Hit {

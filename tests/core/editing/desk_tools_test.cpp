@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/contour/contour.h"
+#include "core/scene/crowding.h"
 #include "tests/core/editing/desk_at_hand.h"
 
 namespace seesaw {
@@ -114,6 +115,22 @@ TEST_F(DeskTest, ModifierKeysPlaceWithAnyToolAndMakeKinds) {
   one_step([&] { hand.key(K::b, ctrl_key); });
   EXPECT_EQ(all_of(desk.document(), ConstraintKind::boundary).size(), 7u);
   no_step([&] { hand.key(K::b, ctrl_key); });
+}
+
+TEST_F(DeskTest, SpikesAreFoundWhereTheyAreDrawnInACrowdToo) {
+  Document<2> document;
+  for (int i = 0; i < 300; ++i) {
+    const Point<2> out(std::cos(2 * M_PI * i / 300), std::sin(2 * M_PI * i / 300));
+    document.constraints.push_back({.constraint = boundary<2>(out, out, 0.05)});
+  }
+  desk.exchange(document);
+  desk.view().show(Box<2>(Point<2>(-4, -3), Point<2>(4, 3)));
+  const double length = 26 * symbol_share(usual_spacing(document), 100, 11);
+  EXPECT_NEAR(length, 26 * 0.3, 1e-9) << "two pixels from one to the next";
+  hand.key(K::v);
+  hand.drag(Point<2>(1 + 0.01 * length, 0), {1.0, 0.3});
+  EXPECT_LE((desk.constraint(0).normal->direction - Point<2>(0, 1)).norm(), 1e-12);
+  EXPECT_EQ(desk.constraint(0).at, Point<2>(1, 0));
 }
 
 TEST_F(DeskTest, NormalsAreGivenTurnedAndRemoved) {
