@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/file.h"
 #include "core/image/raster.h"
 #include "core/scene/document_json.h"
 #include "core/scene/picture.h"
@@ -99,14 +100,7 @@ const std::vector<GalleryEntry>& gallery() {
   return entries;
 }
 
-std::filesystem::path scenes_folder() {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path installed = program.parent_path().parent_path() / "share/seesaw/scenes";
-  if (!error && fs::is_directory(installed, error)) return installed;
-  return fs::path(SEESAW_FIGURES_DIR) / "scenes";
-}
+std::filesystem::path scenes_folder() { return shipped_folder("scenes", SEESAW_FIGURES_DIR); }
 
 Document<2> read_scene(const GalleryEntry& entry) { return read_document<2>(scenes_folder() / entry.scene); }
 

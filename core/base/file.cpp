@@ -112,4 +112,11 @@ void refuse_unless_writable(const fs::path& path) {
                                                               : "there is no folder " + folder.string()));
 }
 
+fs::path shipped_folder(const std::string& name, const fs::path& source) {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path installed = program.parent_path().parent_path() / "share/seesaw" / name;
+  return !error && fs::is_directory(installed, error) ? installed : source / name;
+}
+
 }  // namespace seesaw

@@ -22,4 +22,8 @@ std::string ending_of(const std::filesystem::path& path);
 /// Asked before long work, not after it.
 void refuse_unless_writable(const std::filesystem::path& path);
 
+/// A folder that a program reads when it runs: PREFIX/share/seesaw/`name` where the program is PREFIX/bin/...
+/// and has one, else `source`/`name`, of the source tree that it was built from.
+std::filesystem::path shipped_folder(const std::string& name, const std::filesystem::path& source);
+
 }  // namespace seesaw
