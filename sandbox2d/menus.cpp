@@ -169,10 +169,14 @@ void draw_tools(const Rect& place, Desk& desk, const std::function<void(DeskComm
   {
     const auto off = ui::disabled(desk.editor().undo_size() == 0);
     if (ui::button("Undo", ui::width_left())) act(C::undo);
+    if (const char* name = desk.editor().undo_name(); name && ui::last_hovered())
+      ui::tooltip(std::string(in_words(name)));
   }
   {
     const auto off = ui::disabled(desk.editor().redo_size() == 0);
     if (ui::button("Redo", ui::width_left())) act(C::redo);
+    if (const char* name = desk.editor().redo_name(); name && ui::last_hovered())
+      ui::tooltip(std::string(in_words(name)));
   }
   if (ui::button("Cage  K##cage", ui::width_left())) act(C::cage);
   if (ui::last_hovered()) ui::tooltip("eight exterior constraints around everything");

@@ -18,6 +18,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -139,5 +140,7 @@ using Action =
 /// The action's name in session files and messages: "add", "add_on_surface", "move", ... For Dim 2 and 3.
 template <int Dim>
 const char* name_of(const Action<Dim>& action);
+/// An action's name in a person's words: "moving" for "move_to". Other names are their own words.
+std::string_view in_words(std::string_view name);
 
 }  // namespace seesaw

@@ -212,13 +212,14 @@ void Desk::add_normals() {
 
 void Desk::undo_or_redo(bool undo) {
   const char* const next = undo ? editor_.undo_name() : editor_.redo_name();
-  std::string name = next ? next : "";
+  const std::string name = next ? next : "";
   const Index before = editor_.size();
   const Outcome outcome = undo ? editor_.undo() : editor_.redo();
   selection_.follow_undo(outcome, before, editor_.size(), name == "restore");
-  const std::string word = undo ? "undo" : "redo";
-  std::ranges::replace(name, '_', ' ');
-  say(outcome.changed ? word + ": " + name : "nothing to " + word);
+  if (outcome.changed)
+    say(std::string(undo ? "undone: " : "done again: ") + std::string(in_words(name)));
+  else
+    say(undo ? "nothing to undo" : "nothing to redo");
 }
 
 void Desk::nudge(const Point<2>& direction, bool far) {

@@ -191,6 +191,28 @@ const char* name_of(const Action<Dim>& action) {
   return names[action.index()];
 }
 
+std::string_view in_words(std::string_view name) {
+  constexpr std::pair<std::string_view, std::string_view> words[] = {
+      {"add", "adding"},
+      {"add_on_surface", "adding"},
+      {"move", "moving"},
+      {"move_to", "moving"},
+      {"delete", "deleting"},
+      {"set_value", "another value"},
+      {"set_kind", "another kind"},
+      {"add_normal", "adding a normal"},
+      {"set_normal", "another normal"},
+      {"turn_normal", "turning a normal"},
+      {"remove_normal", "removing a normal"},
+      {"set_kernel", "another kernel"},
+      {"set_smoothing", "smoothing"},
+      {"restore", "another scene in place of this one"}};
+  static_assert(std::size(words) == std::variant_size_v<Action<2>>);
+  for (const auto& [action, said] : words)
+    if (action == name) return said;
+  return name;
+}
+
 template <int Dim>
 Change<Dim> plan(const Action<Dim>& action, const Document<Dim>& document) {
   return std::visit(Planner<Dim>(document, name_of<Dim>(action)), action);

@@ -78,6 +78,7 @@ TYPED_TEST(Actions, EachIsUndoneAndRedoneToTheBit) {
     const std::string after = bits_of(editor.document());
     EXPECT_NE(after, bits_of(start)) << name;
     EXPECT_STREQ(editor.undo_name(), name.c_str());
+    EXPECT_NE(in_words(name), name) << "a person is told in words";
     EXPECT_TRUE(editor.shape().current()) << name;
     const Outcome undone = editor.undo();
     EXPECT_EQ(undone.touched, each.touched_by_undo) << name;
