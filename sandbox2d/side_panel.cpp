@@ -164,6 +164,16 @@ void SidePanel::several(Desk& desk, const std::function<void(DeskCommand)>& act)
     if (by_kind[k] > 0)
       words += " " + std::to_string(by_kind[k]) + " " + kind_names()[static_cast<std::size_t>(k)];
   ui::paragraph(words);
+  Point<2> middle = Point<2>::Zero();
+  for (const Index i : desk.selection().indices())
+    middle += desk.constraint(i).at / static_cast<double>(desk.selection().size());
+  for (int axis = 0; axis < 2; ++axis) {
+    Point<2> to = middle;
+    const ui::Edit edit = ui::drag_number(axis == 0 ? "middle x" : "middle y", to[axis], pixel_of(desk),
+                                          place_format(to[axis], pixel_of(desk)));
+    tell(desk, edit, Move<2>{desk.selection().indices(), to - middle});
+  }
+  their_normals(desk);
   const bool in_a_row = ui::buttons_width({"Delete", "Duplicate", "Add normals"}) <= ui::width_left();
   if (ui::button("Delete")) act(DeskCommand::delete_selection);
   ui::same_line();
@@ -172,6 +182,34 @@ void SidePanel::several(Desk& desk, const std::function<void(DeskCommand)>& act)
     if (in_a_row) ui::same_line();
     if (ui::button("Add normals")) act(DeskCommand::add_normals);
   }
+}
+
+// One offset and one value for all normals of the selection; the first's are shown.
+void SidePanel::their_normals(Desk& desk) {
+  std::vector<Index> which = desk.selection().indices();
+  std::erase_if(which, [&](Index i) { return !desk.constraint(i).normal; });
+  if (which.empty()) return;
+  const auto number = [&](const char* label, double NormalConstraint<2>::*part, bool positive) {
+    double least = infinity, largest = -infinity;
+    for (const Index i : which) {
+      least = std::min(least, (*desk.constraint(i).normal).*part);
+      largest = std::max(largest, (*desk.constraint(i).normal).*part);
+    }
+    double next = (*desk.constraint(which.front()).normal).*part;
+    const ui::Edit edit = ui::drag_number(label, next, std::max(1e-12, 0.01 * std::abs(next)), "%.4g");
+    if (ui::last_hovered())
+      ui::tooltip("of all " + std::to_string(which.size()) + " normals" +
+                  (least < largest ? ", now from " + to_text(least, 3) + " to " + to_text(largest, 3) : ""));
+    if (edit.changed && (next > 0 || !positive))
+      for (const Index i : which) {
+        NormalConstraint<2> normal = *desk.constraint(i).normal;
+        normal.*part = next;
+        if (!desk.slide(SetNormal<2>{i, normal})) break;
+      }
+    if (edit.ended) desk.let_go();
+  };
+  number("offset", &NormalConstraint<2>::offset, true);
+  number("value there", &NormalConstraint<2>::value, false);
 }
 
 void draw_numbers(Desk& desk, const LiveNumbers& numbers) {

@@ -44,6 +44,7 @@ class SidePanel {
   void several(Desk& desk, const std::function<void(DeskCommand)>& act);
   void lever(Desk& desk, ConstraintKind kind);
   void normal(Desk& desk, Index which);
+  void their_normals(Desk& desk);
 
   double reach_[2] = {3, 3};  // the sliders' far ends, interior and exterior, kept while they are dragged
 };

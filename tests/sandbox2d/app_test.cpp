@@ -318,6 +318,37 @@ TEST(App, NumbersAreTypedAsOneStep) {
   EXPECT_EQ(stage.steps(), 1u);
 }
 
+TEST(App, NumbersOfSeveralAreOfAllOfThem) {
+  SEESAW_WINDOW_OR_SKIP(window, app_window);
+  AppStage stage(window, {.file = scenes_folder() / "turk2002-fig05-left.json"});
+  const Document<2> before = stage.document();
+  const std::size_t steps = stage.steps();
+  stage.play("key shift+b");
+  const auto typed = [&](const std::string& field, const std::string& number) {
+    stage.play("doubleclick \"Side/" + field + "\"\nkey ctrl+a\ntext \"" + number + "\"\nkey enter\n");
+  };
+  typed("offset", "0.2");
+  for (const auto& each : stage.document().constraints) EXPECT_EQ(each.constraint.normal->offset, 0.2);
+  EXPECT_EQ(stage.steps(), steps + 1) << "one step for all";
+  typed("value there", "0.7");
+  for (const auto& each : stage.document().constraints) EXPECT_EQ(each.constraint.normal->value, 0.7);
+  for (std::size_t i = 0; i < before.constraints.size(); ++i)
+    EXPECT_EQ(stage.document().constraints[i].constraint.normal->direction,
+              before.constraints[i].constraint.normal->direction);
+  typed("middle x", "3");
+  Point<2> middle = Point<2>::Zero();
+  for (const auto& each : stage.document().constraints)
+    middle += each.constraint.at / static_cast<double>(before.constraints.size());
+  EXPECT_NEAR(middle.x(), 3, 1e-12);
+  EXPECT_NEAR((stage.at(1) - stage.at(0) -
+               (before.constraints[1].constraint.at - before.constraints[0].constraint.at))
+                  .norm(),
+              0, 1e-12);
+  EXPECT_EQ(stage.steps(), steps + 3);
+  stage.play("key ctrl+z\nkey ctrl+z\nkey ctrl+z");
+  EXPECT_EQ(bits_of(stage.document()), bits_of(before));
+}
+
 TEST(App, ComparesWithBefore) {
   SEESAW_WINDOW_OR_SKIP(window, app_window);
   AppStage stage(window);
