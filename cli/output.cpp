@@ -3,7 +3,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <iostream>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -20,6 +23,20 @@ void print(std::string_view text) {
       throw FileError("standard output", std::string("cannot be written: ") + std::strerror(errno));
     }
   }
+}
+
+Progress percent(std::string doing) {
+  if (!::isatty(STDERR_FILENO)) return {};
+  using Clock = std::chrono::steady_clock;
+  return [doing = std::move(doing), start = Clock::now(), last = -1](double fraction) mutable {
+    const int now = static_cast<int>(100 * fraction);
+    if (now == last || (last < 0 && (now == 100 || Clock::now() - start < std::chrono::milliseconds(300))))
+      return true;
+    last = now;
+    const std::string line = doing + " " + std::to_string(now) + " %";
+    std::cerr << '\r' << (now == 100 ? std::string(line.size(), ' ') + '\r' : line) << std::flush;
+    return true;
+  };
 }
 
 }  // namespace seesaw

@@ -1,7 +1,10 @@
-// What the program hands over on standard output. Files: core/base/file.h.
+// What the program hands over on standard output, and says meanwhile on a terminal. Files: core/base/file.h.
 #pragma once
 
+#include <string>
 #include <string_view>
+
+#include "core/base/progress.h"
 
 namespace seesaw {
 
@@ -11,5 +14,9 @@ struct ReaderLeft {};
 
 /// Writes `text` to standard output. Throws ReaderLeft, or FileError (a full disk).
 void print(std::string_view text);
+
+/// "solving 42 %" on standard error, in one line that is wiped when all is done, or empty where that is no
+/// terminal. Work of less than a third of a second says nothing.
+Progress percent(std::string doing);
 
 }  // namespace seesaw

@@ -1,11 +1,9 @@
 // seesaw raytrace SCENE... -o PNG: surfaces as a picture, whole or cut by one another.
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -114,17 +112,6 @@ PinholeCamera camera_of(const RaytraceArguments& options, const Scene& scene,
   return camera;
 }
 
-// Percent on a terminal; nothing where nobody watches.
-Progress percent() {
-  if (!isatty(STDERR_FILENO)) return {};
-  return [last = -1](double fraction) mutable {
-    const int now = static_cast<int>(100 * fraction);
-    if (now != last)
-      std::cerr << '\r' << (last = now) << " %" << (now == 100 ? "\r     \r" : "") << std::flush;
-    return true;
-  };
-}
-
 void run(const RaytraceArguments& options) {
   need_png(options.output);
   if (!options.evaluations.empty()) need_png(options.evaluations);
@@ -174,10 +161,11 @@ void run(const RaytraceArguments& options) {
   if (look != Floor::Look::none) scene.floor = floor_under(subject, camera.up, look);
 
   const RenderOptions render_options = {.width = width, .height = height, .samples = options.samples};
-  write_png(options.output, render(scene, camera, render_options, percent()));
+  write_png(options.output, render(scene, camera, render_options, percent("ray tracing")));
   std::string report = to_flags(camera) + "\n";
   if (!options.evaluations.empty()) {
-    const EvaluationCounts counts = count_evaluations(scene, camera, render_options, percent());
+    const EvaluationCounts counts =
+        count_evaluations(scene, camera, render_options, percent("counting evaluations"));
     write_png(options.evaluations, heat_image(counts));
     report += "evaluations: " + std::to_string(counts.total()) + " in all, at most " +
               std::to_string(counts.largest()) + " for a pixel\n";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/output.h"
 #include "core/scene/document_rules.h"
 #include "core/scene/json_text.h"
 
@@ -29,7 +30,8 @@ Fit<Dim> fit_scene(const std::string& path, const Document<Dim>& document, bool 
   const Constraints<Dim> constraints = constraints_of(document);
   try {
     return fit(constraints,
-               {.kernel = document.kernel, .smoothing = document.smoothing, .condition = condition});
+               {.kernel = document.kernel, .smoothing = document.smoothing, .condition = condition},
+               percent("solving " + std::to_string(constraints.size()) + " constraints"));
   } catch (const ConstraintError& error) {
     std::string message = error.what();
     const std::vector<Index>& culprits = error.culprits();

@@ -1,7 +1,11 @@
 """`seesaw` itself: help, version, exit status, what it does when its output has nowhere to go."""
 
+import math
 import os
+import pty
 import subprocess
+import threading
+import time
 import unittest
 
 from support import BALL, COMPASS, PROGRAM, CliTest, boundary, exterior, interior, scene
@@ -113,6 +117,42 @@ class Output(CliTest):
                 done = subprocess.run([PROGRAM, *arguments], cwd=self.folder, stdout=full, stderr=subprocess.PIPE)
             self.assertEqual(done.returncode, 2)
             self.assertIn(b"standard output: cannot be written: ", done.stderr)
+
+    def test_long_work_says_how_far_it_is_to_a_person(self):
+        angles = [2 * math.pi * i / 2500 for i in range(2500)]
+        self.write("ring.json", scene(2, [boundary(math.cos(a), math.sin(a), normal=[math.cos(a), math.sin(a)])
+                                          for a in angles]))
+        self.write("compass.json", COMPASS)
+        heard, start = {}, time.monotonic()
+        for name in ["ring.json", "compass.json"]:
+            terminal, program_side = pty.openpty()
+            process = subprocess.Popen([PROGRAM, "eval", name, "-"], cwd=self.folder, stdin=subprocess.PIPE,
+                                       stdout=subprocess.PIPE, stderr=program_side)
+            os.close(program_side)
+            heard[name] = b""
+            reader = threading.Thread(target=self.read_all, args=(terminal, heard, name))
+            reader.start()
+            values = process.communicate(b"0 0\n", 120)[0]
+            reader.join()
+            os.close(terminal)
+            self.assertEqual(process.returncode, 0)
+            self.assertGreater(float(values), 0)
+        if not heard["ring.json"] and time.monotonic() - start < 0.8:
+            self.skipTest("this computer solves 5000 rows in no time")
+        said = heard["ring.json"].decode().split("\r")
+        self.assertRegex(said[1], r"^solving 2500 constraints \d+ %$")
+        percents = [int(line.split()[-2]) for line in said if line.strip()]
+        self.assertEqual(percents, sorted(percents))
+        self.assertEqual(said[-1].strip(), "", "the line is wiped")
+        self.assertEqual(heard["compass.json"], b"", "what is quick says nothing")
+
+    @staticmethod
+    def read_all(terminal, heard, name):
+        try:
+            while block := os.read(terminal, 4096):
+                heard[name] += block
+        except OSError:  # the other side is closed
+            pass
 
     def test_standard_output_closed(self):
         self.write("compass.json", COMPASS)
