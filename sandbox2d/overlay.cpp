@@ -81,7 +81,7 @@ class Overlay {
     for (const auto* each : {&weights.own, &weights.normal})
       for (const double w : *each) largest = std::max(largest, std::abs(w));
     if (!(largest > 0)) return;
-    const double full = 24 * s_;
+    const double full = std::max(6.0, 24 * desk_.symbol_share()) * s_;
     std::vector<std::pair<double, Point<2>>> found;
     for (std::size_t i = 0; i < weights.own.size(); ++i) {
       const Point<2> at = place(static_cast<Index>(i));
@@ -92,10 +92,11 @@ class Overlay {
       found.push_back({weights.own[i], at});
       if (normal) found.push_back({weights.normal[i], at + 1.6 * full * inward});
     }
-    // Of a crowd the largest.
     std::ranges::stable_sort(found, std::greater{}, [](const auto& each) { return std::abs(each.first); });
-    if (found.size() > 2 * crowd) found.resize(2 * crowd);
-    for (const auto& [weight, at] : found) draw_weight(at, weight, largest, full);
+    if (found.size() > crowd)
+      draw_many_weights(found, largest, full);
+    else
+      for (const auto& [weight, at] : found) draw_weight(at, weight, largest, full);
     label_weights(found);
   }
 
@@ -121,6 +122,27 @@ class Overlay {
     canvas_.circle(at, radius, {.color = color, .width = 1.4 * s_});
   }
 
+  // A mark for those that pull up and one for those that pull down.
+  void draw_many_weights(const std::vector<std::pair<double, Point<2>>>& weights, double largest,
+                         double full) {
+    for (const double sign : {1.0, -1.0}) {
+      std::vector<Points<2>> discs;
+      for (const auto& [weight, at] : weights)
+        if (weight * sign > 0) discs.push_back(disc(at, full * std::sqrt(std::abs(weight) / largest)));
+      if (!discs.empty())
+        canvas_.fill_rings(discs, diverging_color(0.8 * sign).with_alpha(0.7), FillRule::winding);
+    }
+  }
+
+  static Points<2> disc(const Point<2>& at, double radius) {
+    Points<2> ring(2, 12);
+    for (Index k = 0; k < 12; ++k) {
+      const double turn = M_PI / 6 * static_cast<double>(k);
+      ring.col(k) = at + radius * Point<2>(std::cos(turn), std::sin(turn));
+    }
+    return ring;
+  }
+
   void weight_label(const Point<2>& at, double weight) {
     const std::string size = to_text(std::abs(weight), 3);
     canvas_.text(
@@ -135,11 +157,12 @@ class Overlay {
     canvas_.line(from, to, {.color = theme::moved, .width = 1.6 * s_});
     // Constraints stand on the line, not under it.
     const Point<2> along = (to - from).normalized();
+    const double symbol = std::max(5.0, 11 * desk_.symbol_share()) * s_;
     for (const auto& each : desk_.document().constraints) {
       const Point<2> at = page(each.constraint.at), way = at - from;
       const double across = std::abs(way.x() * along.y() - way.y() * along.x());
-      if (!desk_.display().constraints || !(across < 8 * s_) || !in_sight(at)) continue;
-      draw_symbol(canvas_, symbol_of(each.constraint.kind), at, 11 * s_,
+      if (!desk_.display().constraints || !(across < 0.7 * symbol) || !in_sight(at)) continue;
+      draw_symbol(canvas_, symbol_of(each.constraint.kind), at, symbol,
                   each.highlight ? theme::moved : theme::constraint);
     }
     for (const Point<2>& end : {from, to}) {
@@ -162,14 +185,7 @@ class Overlay {
   void mark_crowd(const std::vector<Point<2>>& places) {
     std::vector<Points<2>> discs;
     discs.reserve(places.size());
-    for (const Point<2>& at : places) {
-      Points<2> disc(2, 12);
-      for (Index k = 0; k < 12; ++k) {
-        const double turn = M_PI / 6 * static_cast<double>(k);
-        disc.col(k) = at + 7 * s_ * Point<2>(std::cos(turn), std::sin(turn));
-      }
-      discs.push_back(std::move(disc));
-    }
+    for (const Point<2>& at : places) discs.push_back(disc(at, 7 * s_));
     canvas_.fill_rings(discs, selected.with_alpha(0.45), FillRule::winding);
   }
 

@@ -116,6 +116,8 @@ class Desk {
   const Selection& selection() const { return selection_; }
   /// What would be grabbed by a press, or is being dragged.
   Hit hover();
+  /// What part of their size symbols are drawn in, for want of room (core/scene/crowding.h).
+  double symbol_share();
   /// Where the pointer was last, scene units; nothing before it came.
   std::optional<Point<2>> cursor() const;
   /// What is being dragged, if anything.

@@ -35,15 +35,15 @@ std::vector<Hit> Desk::hits_at(const Point<2>& at) {
               reaches);
 }
 
-double Desk::spike_length() {
+double Desk::symbol_share() {
   if (spacing_revision_ != revision()) {
     spacing_ = usual_spacing(document());
     spacing_revision_ = revision();
   }
-  const Reaches& reaches = options_.reaches;
-  return scale_ * reaches.spike_length *
-         symbol_share(spacing_, 1 / view_.pixel(), scale_ * reaches.symbol_size);
+  return seesaw::symbol_share(spacing_, 1 / view_.pixel(), scale_ * options_.reaches.symbol_size);
 }
+
+double Desk::spike_length() { return scale_ * options_.reaches.spike_length * symbol_share(); }
 
 Hit Desk::hover() {
   if (hand_) {
