@@ -15,6 +15,8 @@ namespace {
 constexpr Index strip = Symmetric::strip;
 // Panels so narrow that they stay in the second-level cache until all that is to be done with them is done.
 constexpr Index panel_width = 32;
+// Of such a panel so many rows that they stay in the first-level cache.
+constexpr Index chunk_rows = 128;
 
 Block block(Symmetric& a, Index i, Index j, Index rows, Index columns) {
   return {a.at(i, j), rows, columns, a.stride(j)};
@@ -76,13 +78,16 @@ Eigen::MatrixXd sum_of_strips(Index n, Index columns, const Work& work) {
   return sum;
 }
 
-// Adds the absolute values of columns j .. j + w - 1, and of the rows that mirror them, to the column sums of
-// the block that begins at `first`; sums[0] is that of column j.
-void add_column_sums(Symmetric& a, Index first, Index j, Index w, Eigen::Ref<Eigen::MatrixXd> sums) {
+// Adds the absolute values in columns j .. j + w - 1 and rows i .. i + rows - 1, on and below the diagonal,
+// and their mirror images to the column sums of the block that begins at `first`; sums[0] is that of column
+// j.
+void add_column_sums(Symmetric& a, Index first, Index j, Index w, Index i, Index rows,
+                     Eigen::Ref<Eigen::MatrixXd> sums) {
   for (Index c = std::max(j, first); c < j + w; ++c) {
-    const auto column = a.column_from(c, c);
+    const Index from = std::max(i, c), count = i + rows - from, mirrored = from == c ? count - 1 : count;
+    const auto column = a.column_from(from, c).head(count);
     sums(c - j, 0) += column.lpNorm<1>();
-    sums.col(0).tail(column.size() - 1) += column.tail(column.size() - 1).cwiseAbs();
+    sums.col(0).segment(i + rows - mirrored - j, mirrored) += column.tail(mirrored).cwiseAbs();
   }
 }
 
@@ -100,15 +105,16 @@ Eigen::MatrixXd fill_and_multiply(Symmetric& a, const FillColumns& fill, const E
       if (watch.stopped()) return;
       fill(j, w);
       const ConstBlock diagonal = block(a, j, j, w, w);
-      for (Index k = 0; k < m; ++k) {
-        const double* x_here = x.col(k).data() + j;
-        double* y_here = sums.col(k).data() + (j - begin);
-        add_symmetric(diagonal, x_here, y_here);
-        if (j + w == n) continue;
-        const ConstBlock below = block(a, j + w, j, n - j - w, w);
-        add_product(1.0, below, x_here, y_here + w);
-        add_transposed(1.0, below, x_here + w, y_here);
-      }
+      const auto x_at = [&](Index i, Index k) { return x.col(k).data() + i; };
+      const auto y_at = [&](Index i, Index k) { return sums.col(k).data() + (i - begin); };
+      for (Index k = 0; k < m; ++k) add_symmetric(diagonal, x_at(j, k), y_at(j, k));
+      for_panels(j + w, n, chunk_rows, [&](Index i, Index rows) {
+        const ConstBlock below = block(a, i, j, rows, w);
+        for (Index k = 0; k < m; ++k) {
+          add_product(1.0, below, x_at(j, k), y_at(i, k));
+          add_transposed(1.0, below, x_at(i, k), y_at(j, k));
+        }
+      });
     });
     return sums;
   });
@@ -121,18 +127,20 @@ double subtract_products(Symmetric& a, const Eigen::MatrixXd& u, const Eigen::Ma
   const OneThread alone;
   Watch watch(progress);
   const Index n = a.size();
+  // U V' + V U' = [U V] [V U]', in one pass over the matrix.
+  Eigen::MatrixXd both(n, 2 * u.cols()), other(n, 2 * u.cols());
+  both << u, v;
+  other << v, u;
   const Eigen::MatrixXd sums = sum_of_strips(n, 1, [&](Index begin, Index count) {
     Eigen::MatrixXd part = Eigen::MatrixXd::Zero(n - begin, 1);
     for_panels(begin, begin + count, panel_width, [&](Index j, Index w) {
       if (watch.stopped()) return;
-      const Index rest = n - j - w;
       subtract_both(block(a, j, j, w, w), rows_of(u, j, w), rows_of(v, j, w));
-      if (rest > 0) {
-        const Block below = block(a, j + w, j, rest, w);
-        subtract_product(below, rows_of(u, j + w, rest), rows_of(v, j, w));
-        subtract_product(below, rows_of(v, j + w, rest), rows_of(u, j, w));
-      }
-      add_column_sums(a, first, j, w, part.bottomRows(n - j));
+      add_column_sums(a, first, j, w, j, w, part.bottomRows(n - j));
+      for_panels(j + w, n, chunk_rows, [&](Index i, Index rows) {
+        subtract_product(block(a, i, j, rows, w), rows_of(both, i, rows), rows_of(other, j, w));
+        add_column_sums(a, first, j, w, i, rows, part.bottomRows(n - j));
+      });
     });
     return part;
   });

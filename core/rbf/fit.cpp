@@ -19,6 +19,7 @@ std::string words_for(const std::vector<Index>& culprits) {
 
 template <int Dim>
 [[noreturn]] void refuse_too_close(const Rows<Dim>& rows, const char* evidence) {
+  refuse_if_one_is_far(rows);
   const auto culprits = nearest_pair(rows);
   throw ConstraintError(ConstraintError::Reason::too_close,
                         words_for(culprits) +

@@ -140,6 +140,31 @@ Rows<Dim> rows_of(const PointsRef<Dim>& points, const Eigen::Ref<const Values>& 
 }
 
 template <int Dim>
+void refuse_if_one_is_far(const Rows<Dim>& rows) {
+  // The one farthest from the middle of most.
+  Point<Dim> middle;
+  for (int d = 0; d < Dim; ++d) {
+    Values along = rows.centers.row(d);
+    std::nth_element(along.begin(), along.begin() + along.size() / 2, along.end());
+    middle[d] = along[along.size() / 2];
+  }
+  Index farthest = 0;
+  const double distance =
+      (rows.centers.colwise() - middle).cwiseAbs().colwise().maxCoeff().maxCoeff(&farthest);
+  const Index culprit = rows.origins[static_cast<std::size_t>(farthest)].constraint;
+  Box<Dim> others;
+  for (Index i = 0; i < rows.centers.cols(); ++i)
+    if (rows.origins[static_cast<std::size_t>(i)].constraint != culprit) others.extend(rows.centers.col(i));
+  if (others.isEmpty() || !(others.sizes().maxCoeff() < 1e-3 * distance)) return;
+  throw ConstraintError(
+      Reason::too_close,
+      "constraint " + std::to_string(culprit) + " is " + to_text(distance, 3) +
+          " away from all others, which lie within " + to_text(others.sizes().maxCoeff(), 3) +
+          ": too near each other to be told apart in a scene of that size; move or delete it",
+      {culprit});
+}
+
+template <int Dim>
 Rows<Dim> merge_coincident(const Rows<Dim>& rows) {
   const double extent = extent_of<Dim>(rows.centers);
   const double same_value = tolerance::same_value * rows.values.cwiseAbs().maxCoeff();
@@ -147,7 +172,7 @@ Rows<Dim> merge_coincident(const Rows<Dim>& rows) {
   const std::size_t n = sweep.order.size();
   std::vector<bool> dropped(n, false);
   std::set<Index> culprits;
-  double farthest_apart = 0;
+  double farthest_apart = 0, nearest_apart = infinity;
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = a + 1; b < n && sweep.along[b] - sweep.along[a] <= tolerance::coincident; ++b) {
       const Index i = std::min(sweep.order[a], sweep.order[b]), j = std::max(sweep.order[a], sweep.order[b]);
@@ -159,8 +184,10 @@ Rows<Dim> merge_coincident(const Rows<Dim>& rows) {
         culprits.insert(rows.origins[static_cast<std::size_t>(i)].constraint);
         culprits.insert(rows.origins[static_cast<std::size_t>(j)].constraint);
         farthest_apart = std::max(farthest_apart, apart);
+        nearest_apart = std::min(nearest_apart, apart);
       }
     }
+  if (!culprits.empty() && nearest_apart > 0) refuse_if_one_is_far(rows);
   if (!culprits.empty())
     throw ConstraintError(
         Reason::contradictory,
@@ -218,6 +245,7 @@ Normalization<Dim> Normalization<Dim>::of(const PointsRef<Dim>& points) {
 #define SEESAW_INSTANTIATE(Dim)                                                            \
   template Rows<Dim> rows_of<Dim>(const Constraints<Dim>&);                                \
   template Rows<Dim> rows_of<Dim>(const PointsRef<Dim>&, const Eigen::Ref<const Values>&); \
+  template void refuse_if_one_is_far<Dim>(const Rows<Dim>&);                               \
   template Rows<Dim> merge_coincident<Dim>(const Rows<Dim>&);                              \
   template std::vector<Index> nearest_pair<Dim>(const Rows<Dim>&);                         \
   template struct Normalization<Dim>;

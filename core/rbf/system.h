@@ -61,7 +61,7 @@ Rows<Dim> rows_of(const PointsRef<Dim>& points, const Eigen::Ref<const Values>& 
 
 /// Keeps the first of all rows that stand at one position (within tolerance::coincident) and ask for one
 /// value. Throws ConstraintError::contradictory, naming every culprit, where one position is asked for two
-/// values. O(N log N).
+/// values; too_close where that is for one constraint that lies far away. O(N log N).
 template <int Dim>
 Rows<Dim> merge_coincident(const Rows<Dim>& rows);
 
@@ -69,6 +69,12 @@ Rows<Dim> merge_coincident(const Rows<Dim>& rows);
 /// rows came from one constraint). O(N log N) for scattered centers. N >= 2.
 template <int Dim>
 std::vector<Index> nearest_pair(const Rows<Dim>& rows);
+
+/// Throws ConstraintError::too_close, with that one as culprit, where one constraint is so far from all
+/// others that the scene would be a thousandth of its size without it, or less: digits that tell the others
+/// apart are lost to it. Else nothing. For who has found rows too near to each other. O(N).
+template <int Dim>
+void refuse_if_one_is_far(const Rows<Dim>& rows);
 
 /// Coordinates in which the system is solved: x' = (x - center) / scale, with every center in [-1, 1]. The
 /// function is the same (a sum of these kernels is invariant under similarity, once the polynomial is

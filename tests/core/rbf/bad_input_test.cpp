@@ -163,6 +163,26 @@ TEST(BadInput, CentersTooCloseNameThePair) {
   }
 }
 
+TEST(BadInput, OneThatIsFarAwayIsTheCulpritAndNotAllOthers) {
+  for (const double far : {1e13, 1e20, 1e90})
+    for (const bool normal : {false, true}) {
+      auto constraints = four_around_one();
+      constraints.insert(constraints.begin() + 2,
+                         normal ? boundary<2>({far, 0}, {1, 0}, 1e-3 * far) : boundary<2>({far, 0}));
+      const auto error = error_of([&] { fit(constraints); });
+      EXPECT_EQ(error.reason(), Reason::too_close);
+      EXPECT_THAT(error.culprits(), ElementsAre(2)) << far;
+      EXPECT_THAT(error.what(), HasSubstr("away from all others, which lie within 2"));
+    }
+  // Not where two really contradict each other.
+  auto constraints = four_around_one();
+  constraints.push_back(interior<2>(constraints[0].at));
+  constraints.push_back(boundary<2>({1e6, 0}));
+  const auto error = error_of([&] { fit(constraints); });
+  EXPECT_EQ(error.reason(), Reason::contradictory);
+  EXPECT_THAT(error.culprits(), ElementsAre(0, 5));
+}
+
 TEST(BadInput, FarFromTheOriginAndVerySmall) {
   Random random(2);
   const auto constraints = random_constraints<2>(30, random);
