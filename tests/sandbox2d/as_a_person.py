@@ -68,10 +68,11 @@ class AsAPerson(Sandbox2dTest):
             return self.hand("search", "--onlyvisible", "--class", "sandbox2d").split("\n")[0]
 
         self.window = wait_for(window, what="the window")
-        # There is no window manager to give it the keys.
-        self.hand("windowmove", self.window, 0, 0)
-        self.hand("windowfocus", self.window)
         return process
+
+    def move(self, x, y):
+        """The mouse, to a place in the window: where that stands on the screen is the program's business."""
+        self.hand("mousemove", "--window", self.window, x, y)
 
     def title(self):
         return self.hand("getwindowname", self.window)
@@ -93,10 +94,10 @@ class AsAPerson(Sandbox2dTest):
         return round(WIDTH / 2 + x / pixel), round(MENU + scene / 2 - y / pixel)
 
     def drag(self, start, end, steps=12):
-        self.hand("mousemove", *start)
+        self.move(*start)
         self.hand("mousedown", 1)
         for i in range(1, steps + 1):
-            self.hand("mousemove", *(round(a + (b - a) * i / steps) for a, b in zip(start, end)))
+            self.move(*(round(a + (b - a) * i / steps) for a, b in zip(start, end)))
             time.sleep(0.01)
         self.hand("mouseup", 1)
 
@@ -106,13 +107,15 @@ class AsAPerson(Sandbox2dTest):
 
         # The plus sign in the middle goes to the upper right.
         def move_it():
+            self.hand("windowfocus", self.window)  # there is no window manager to give it the keys
             self.hand("key", "Escape")  # the welcome, which offers a tour
             self.hand("key", "F9")  # the scene alone; where a key came too early, the next time
             self.drag(self.at(0, 0), self.at(0.4, 0.3))
 
         self.until(move_it, lambda: "*" in self.title(), "the drag")
         # A click into emptiness: nothing is selected, nothing happens.
-        self.hand("mousemove", *self.at(-1.6, 1.6), "click", 1)
+        self.move(*self.at(-1.6, 1.6))
+        self.hand("click", 1)
 
         # Saved under a name that is typed.
         saved = self.folder / "mine.json"
