@@ -193,9 +193,11 @@ TEST(BackgroundSolver, ABorderThatTakesLongIsMadeElsewhereToo) {
   for (int k = 0; k < 40; ++k) {
     for (std::size_t i = 10; i < 12; ++i) shape[i].at *= 1.003;
     solved.set(shape);
+    const bool idle = !solved.solver.busy();
     solved.ask();
-    EXPECT_TRUE(solved.shape.pending);
-    EXPECT_TRUE(solved.solver.busy());
+    // Of a border that was under way the answer may have come by now, and have followed this very question.
+    EXPECT_TRUE(solved.shape.pending || !idle);
+    EXPECT_TRUE(solved.shape.pending ? solved.solver.busy() : solved.shape.current());
     if (k % 3 == 0 && solved.solver.poll()) solved.ask();
     if (k % 7 == 0) solved.expect_settled_as_fitted();
   }
