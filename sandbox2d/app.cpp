@@ -145,6 +145,7 @@ bool App::shows_as_saved() const {
 void App::frame() {
   const double s = window_.scale();
   desk_.set_scale(s);
+  const bool dialog = ui::any_dialog();  // is drawn once more, even if it ends now
   if (scripted() && (solver_.busy() || other_solver_.busy())) {
     solver_.wait();
     other_solver_.wait();
@@ -213,6 +214,7 @@ void App::frame() {
   look_after_autosave();
   const std::string title = desk_.name() + " \u2013 Seesaw";
   if (title != title_) window_.set_title(title_ = title);
+  if (!window_picture_.empty()) export_window(dialog || ui::any_dialog());
   changed_ = false;
 }
 

@@ -105,6 +105,9 @@ class App {
   void ask_save(std::function<void()> then = {});
   void save(std::function<void()> then = {});
   void ask_export();
+  void ask_export_window();
+  /// Of the frame in hand, once it is one to be exported.
+  void export_window(bool dialog);
   FilePlaces places() const;
   void toggle_recording();
   /// Does `then` when nothing unsaved would be lost, or it may be.
@@ -175,6 +178,7 @@ class App {
   std::optional<View2D> shown_view_;
   std::string title_;
   double export_scale_ = 2;
+  std::filesystem::path window_picture_;  // where the window is to be exported to, until it is
   bool tour_seen_ = false;
   bool done_ = false;
 };

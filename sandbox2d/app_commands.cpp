@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
+#include "core/base/file.h"
+#include "core/image/png.h"
 #include "core/window/ui.h"
 #include "sandbox2d/app.h"
 
@@ -79,6 +82,8 @@ void App::act(DeskCommand command) {
       return ask_save();
     case C::export_picture:
       return ask_export();
+    case C::export_window:
+      return ask_export_window();
     case C::record:
       return toggle_recording();
     case C::replay:
@@ -235,6 +240,29 @@ void App::ask_export() {
         if (kind.ending != ".png") return;
         ui::slider("pixels a point", export_scale_, 0.5, 8, {.format = "%.1f"});
       });
+}
+
+void App::ask_export_window() {
+  files_.set_places(places());
+  static const std::vector<FileKind> kinds = {{".png", "Picture"}};
+  files_.ask_save("Export the window", kinds, settings_.settings().last_folder / "window.png",
+                  [this](const std::filesystem::path& path) {
+                    refuse_unless_writable(path);
+                    window_picture_ = path;  // when the dialog is gone and all is drawn smooth
+                  });
+}
+
+void App::export_window(bool dialog) {
+  window_.stay_awake();
+  if (dialog || !settled()) return;
+  window_.hand_over([this, path = std::exchange(window_picture_, {})](const Image& picture) {
+    try {
+      write_png(path, picture);
+      desk_.say("exported " + path.string());
+    } catch (const Error& error) {
+      desk_.say(error.what(), true);
+    }
+  });
 }
 
 void App::toggle_recording() {

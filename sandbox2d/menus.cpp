@@ -49,6 +49,7 @@ class Menus {
     item("Save", C::save);
     item("Save as\u2026", C::save_as);
     item("Export\u2026", C::export_picture);
+    item("Export the window\u2026", C::export_window);
     ui::separator();
     item(desk_.recording() ? "Stop recording\u2026" : "Record a session", C::record);
     item("Replay a session\u2026", C::replay);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/base/text.h"
@@ -197,11 +198,18 @@ class Overlay {
   void draw_culprits() {
     const auto impossible = desk_.shape().impossible;
     if (!impossible) return;
-    std::size_t marked = 0;
+    std::size_t marked = 0, culprits = 0;
+    std::optional<Point<2>> seen, unseen;
     for (const Index i : impossible->culprits) {
       if (i < 0 || i >= desk_.editor().size()) continue;
+      ++culprits;
       const Point<2> at = place(i);
-      if (!in_sight(at) || marked++ == 2 * crowd) continue;
+      if (!in_sight(at)) {
+        if (!unseen) unseen = at;
+        continue;
+      }
+      if (!seen) seen = at;
+      if (marked++ >= 2 * crowd) continue;
       ring(at, 11, theme::moved, 2.4);
       const double reach = 15.5 * s_;
       for (const double sign : {1.0, -1.0}) {
@@ -211,11 +219,26 @@ class Overlay {
                        {.color = theme::moved, .width = 2.4 * s_});
       }
     }
-    if (!impossible->culprits.empty()) {
-      const Index first = impossible->culprits.front();
-      if (first >= 0 && first < desk_.editor().size() && in_sight(place(first)))
-        tag(place(first), "no function obeys these", theme::moved);
-    }
+    const std::string words = culprits == 1 ? "no function obeys this" : "no function obeys these";
+    if (seen)
+      tag(*seen, words, theme::moved);
+    else if (unseen)
+      point_out(*unseen, words + "; F shows all");
+  }
+
+  // An arrow at the rim, to what is beyond it.
+  void point_out(const Point<2>& beyond, const std::string& words) {
+    const Rect rim = canvas_.bounds().inset(18 * s_);
+    const Point<2> tip(std::clamp(beyond.x(), rim.left(), rim.right()),
+                       std::clamp(beyond.y(), rim.top(), rim.bottom()));
+    const Point<2> way = (beyond - tip).stableNormalized(), across(-way.y(), way.x());
+    if (!way.allFinite()) return;
+    const Point<2> tail = tip - 22 * s_ * way;
+    canvas_.line(tail, tip, {.color = theme::moved, .width = 2.4 * s_});
+    for (const double side : {1.0, -1.0})
+      canvas_.line(tip, tip + 9 * s_ * (0.8 * side * across - way),
+                   {.color = theme::moved, .width = 2.4 * s_});
+    tag(tail, words, theme::moved);
   }
 
   void draw_hover() {

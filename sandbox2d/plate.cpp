@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "core/image/theme.h"
@@ -71,14 +72,13 @@ void Plate::build_plate(const Field<2>& field, const Document<2>& document, int 
   mesh_ =
       make_plate(field, seen_, {.cells = cells, .lines_every = std::max(1, cells / 12), .height = height_});
   poles_ = plate_poles(document, mesh_.space, seen_);
-  if (choose) {
-    const Points<3> sheet = sheet_corners(mesh_.space, seen_);
-    const Index every = std::max<Index>(1, mesh_.mesh.vertices.cols() / 500);
-    framed_.assign(sheet.colwise().begin(), sheet.colwise().end());
-    for (Index k = 0; k < mesh_.mesh.vertices.cols(); k += every)
-      framed_.push_back(mesh_.mesh.vertices.col(k));
-    for (const PlatePole& pole : poles_) framed_.push_back(pole.head);
-  }
+  const Points<3> sheet = sheet_corners(mesh_.space, seen_);
+  const Index every = std::max<Index>(1, mesh_.mesh.vertices.cols() / 500);
+  present_.assign(sheet.colwise().begin(), sheet.colwise().end());
+  for (Index k = 0; k < mesh_.mesh.vertices.cols(); k += every)
+    present_.push_back(mesh_.mesh.vertices.col(k));
+  for (const PlatePole& pole : poles_) present_.push_back(pole.head);
+  if (choose) framed_ = present_;
   surface_.set_triangles(mesh_.mesh, mesh_.colors);
   grid_.set_segments(mesh_.grid, mesh_.grid_colors);
   zero_.set_segments(mesh_.zero);
@@ -108,9 +108,22 @@ void Plate::reset_view() {
   at_first_view_ = true;
 }
 
-// The nearest stand from which the plate is seen whole, as it was when its scale was chosen.
+// Where the plate was seen whole when its scale was chosen; what has been pulled beyond that picture moves
+// the eye farther away.
 void Plate::frame(int width, int height) {
   if (framed_.empty()) return;
+  frame_all(width, height);
+  const Box<2> picture(Point<2>(0, 0), Point<2>(width, height));
+  const auto beyond = [&](const Point<3>& p) {
+    return !picture.contains(camera_.pixel_of(p, width, height).head<2>());
+  };
+  const std::size_t before = framed_.size();
+  std::ranges::copy_if(present_, std::back_inserter(framed_), beyond);
+  if (framed_.size() > before) frame_all(width, height);
+}
+
+// The nearest stand from which that is seen.
+void Plate::frame_all(int width, int height) {
   camera_.target = Point<3>::Zero();
   const double up = std::tan(camera_.field / 2) * 0.94, aside = up * width / height;
   for (int round = 0; round < 5; ++round) {

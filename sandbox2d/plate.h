@@ -9,7 +9,7 @@
 // the plate to twice its height, and what lies beyond the boundary constraints goes down. So the vertical
 // scale is chosen once and kept; anew only when the part of the scene that is seen has another size, when
 // rescale() asks for it (a new document, "fit"), and when what is to be shown has become three times as high
-// as it was chosen for, or a third.
+// as it was chosen for, or a third. What is pulled beyond the picture before that is seen from farther away.
 //
 // While something moves edges are drawn rough, and once more smooth when all is at rest: without a graphics
 // card smooth edges cost several times as much. settled() says whether that is still to come.
@@ -68,6 +68,7 @@ class Plate {
   void build_plane();
   void build_poles();
   void frame(int width, int height);
+  void frame_all(int width, int height);
   void draw_into(View3D& view, int width, int height, const UiColors& colors, double pixel_ratio);
   void draw_heads(View3D& view, double pixel_ratio, bool hidden);
 
@@ -77,7 +78,8 @@ class Plate {
 
   OrbitCamera camera_;
   bool at_first_view_ = true;
-  std::vector<Point<3>> framed_;  // what the first view shows
+  std::vector<Point<3>> present_;  // points all over the plate
+  std::vector<Point<3>> framed_;   // what the first view shows: those when its scale was chosen, and later
 
   Box<2> seen_;
   std::optional<ProfileLine> line_;

@@ -137,6 +137,8 @@ std::span<const KeyBinding> key_bindings() {
       {K::s, with_ctrl, C::save, in_file, "save"},
       {K::s, with_ctrl_shift, C::save_as, in_file, "save under another name"},
       {K::e, with_ctrl_shift, C::export_picture, in_file, "export a picture or the curve"},
+      {K::p, with_ctrl_shift, C::export_window, in_file,
+       "export the whole window, plate and profile too, as a picture"},
       {K::r, with_ctrl, C::record, in_file, "record the session, or stop recording"},
       {K::r, with_ctrl_shift, C::replay, in_file, "replay a recorded session, as it was done"},
       {K::enter, {}, C::edit_values, in_file, "type the selection's numbers"},

@@ -104,6 +104,7 @@ enum class DeskCommand {
   save,
   save_as,
   export_picture,
+  export_window,
   record,
   replay,
   help,

@@ -116,7 +116,8 @@ struct Window::Parts {
   detail::InputRouter router;
   std::vector<Input> inputs;
   std::unique_ptr<detail::ScriptPlayer> player;
-  std::vector<std::filesystem::path> screenshots;  // of this frame
+  std::vector<std::filesystem::path> screenshots;       // of this frame
+  std::vector<std::function<void(const Image&)>> uses;  // of this frame's picture
   double scale;
   bool dark;
   // What the fonts and colors were made for.
@@ -189,7 +190,8 @@ struct Window::Parts {
     SEESAW_CHECK_EQ(in_frame, true);
     in_frame = false;
     draw();
-    auto image = window.show(with_picture || !screenshots.empty());
+    auto image = window.show(with_picture || !screenshots.empty() || !uses.empty());
+    for (const auto& use : std::exchange(uses, {})) use(*image);
     for (const auto& path : std::exchange(screenshots, {})) {
       try {
         if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
@@ -233,6 +235,7 @@ const std::vector<Input>& Window::begin_frame() {
 
 void Window::end_frame() { parts_->end_frame(false); }
 Image Window::end_frame_with_picture() { return std::move(*parts_->end_frame(true)); }
+void Window::hand_over(std::function<void(const Image&)> use) { parts_->uses.push_back(std::move(use)); }
 void Window::stay_awake() { parts_->awake = std::max(parts_->awake, 1); }
 void Window::wake() { push_wake_to_sdl(); }
 const FrameClock& Window::clock() const { return parts_->clock; }

@@ -22,6 +22,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,6 +71,8 @@ class Window {
   void end_frame();
   /// As end_frame, and returns what is shown, in real pixels.
   Image end_frame_with_picture();
+  /// As end_frame_with_picture, for who does not end the frame: `use` has the picture at this frame's end.
+  void hand_over(std::function<void(const Image&)> use);
   /// The next begin_frame does not wait: something is moving.
   void stay_awake();
   /// Ends a wait; from any thread. The frame then has a Woken.

@@ -251,6 +251,27 @@ TEST(AppFiles, AFileGivenAtTheStart) {
   EXPECT_EQ(bits_of(stage.document()), bits_of(read_scene(gallery().front()))) << "there is something to see";
 }
 
+// The plate, the profile and the panels with it, as they are seen when the dialog is gone.
+TEST(AppFiles, ExportsTheWindow) {
+  SEESAW_WINDOW_OR_SKIP(window, app_window);
+  ScratchFolder folder;
+  AppStage stage(window);
+  stage.play("key t\nkey ctrl+shift+p\n" + saved_as(folder / "window.png") + "frames 20");
+  ASSERT_FALSE(stage.dialog()) << stage.app().file_dialog().trouble();
+  EXPECT_SAID(stage, "exported");
+  const Image exported = read_png(folder / "window.png"), shown = stage.picture();
+  ASSERT_EQ(exported.width(), shown.width());
+  ASSERT_EQ(exported.height(), shown.height());
+  // But for the words that say so, at the bottom.
+  const int rows = static_cast<int>(stage.app().layout().status.top());
+  const auto bytes = static_cast<std::ptrdiff_t>(4) * rows * shown.width();
+  EXPECT_TRUE(std::equal(shown.bytes().begin(), shown.bytes().begin() + bytes, exported.bytes().begin()));
+  // Where nothing can be written that is said in the dialog.
+  stage.play("key ctrl+shift+p\n" + saved_as(folder / "none" / "window.png"));
+  EXPECT_TRUE(stage.dialog());
+  EXPECT_THAT(stage.app().file_dialog().trouble(), testing::HasSubstr("none"));
+}
+
 // The dialog's way, by a typed name: the same bytes as `figures render` of the scene.
 TEST(AppFiles, ExportsOfTheGalleryAreTheFigures) {
   SEESAW_WINDOW_OR_SKIP(window, WindowOptions{.width = 640, .height = 480});

@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/image/theme.h"
 #include "sandbox2d/gallery.h"
 #include "tests/sandbox2d/app_stage.h"
 
@@ -371,6 +372,21 @@ TEST(App, ComparesWithBefore) {
   EXPECT_GT(std::abs(stage.desk().other()->value(probe) - stage.f(probe)), 1e-6);
 }
 
+// Pixels of what is wrong, in that corner of the scene.
+int red_in_the_lower_left(AppStage& stage) {
+  const Image picture = stage.picture();
+  const Rect scene = stage.app().layout().scene;
+  int count = 0;
+  for (int y = static_cast<int>(scene.bottom()) - 80; y < static_cast<int>(scene.bottom()); ++y)
+    for (int x = static_cast<int>(scene.left()); x < static_cast<int>(scene.left()) + 80; ++x) {
+      const Color c = picture.at(x, y);
+      count +=
+          std::abs(c.r - theme::moved.r) + std::abs(c.g - theme::moved.g) + std::abs(c.b - theme::moved.b) <
+          0.1;
+    }
+  return count;
+}
+
 TEST(App, AContradictionIsNamedAndTheLastCurveStays) {
   SEESAW_WINDOW_OR_SKIP(window, app_window);
   AppStage stage(window);
@@ -390,6 +406,15 @@ TEST(App, AContradictionIsNamedAndTheLastCurveStays) {
   // During the drag the last solvable place is near the end of it.
   EXPECT_TRUE(std::isfinite(stage.f({0.1, 0.1})));
   EXPECT_NE(stage.picture(), good) << "it is seen";
+  // Out of sight they are pointed to from the rim.
+  const View2D view = stage.desk().view();
+  stage.desk().view().show({Point<2>(20, 20), Point<2>(21, 21)});
+  EXPECT_GT(red_in_the_lower_left(stage), 60);
+  stage.play("key ctrl+z");
+  EXPECT_EQ(red_in_the_lower_left(stage), 0);
+  stage.play("key ctrl+shift+z");
+  EXPECT_GT(red_in_the_lower_left(stage), 60);
+  stage.desk().view() = view;
   stage.play("key u");
   EXPECT_THAT(stage.desk().selection().indices(), ElementsAre(0, 4));
   stage.play("key ctrl+z");

@@ -373,15 +373,24 @@ TEST(Plate, ItsScaleStandsStillWhileAValueIsPulled) {
   const auto show = [&](double value, const Box<2>& seen) {
     const Document<2> document = pulled_seesaw(value);
     plate.show(function_of(document), document, seen, {}, 32, ++version);
-    plate.draw(200, 160, ui_colors(false));
+    plate.draw(300, 130, ui_colors(false));
+    // However high it is pulled, it is seen whole.
+    for (const auto& each : plate.mesh().mesh.vertices.colwise()) {
+      const Point<3> p = plate.camera().pixel_of(each, 300, 130);
+      EXPECT_TRUE(p.x() > 0 && p.x() < 300 && p.y() > 0 && p.y() < 130) << value << " at " << p.transpose();
+    }
     return plate.mesh().highest;
   };
   const double at_one = show(1, square(1.6));
-  const OrbitCamera camera = plate.camera();
+  const double near = plate.camera().distance;
+  EXPECT_NEAR(show(0.4, square(1.6)), 0.4 * at_one, 1e-9);
+  EXPECT_EQ(plate.camera().distance, near);
   EXPECT_NEAR(show(1.5, square(1.6)), 1.5 * at_one, 1e-9);
   EXPECT_NEAR(show(2.5, square(1.6)), 2.5 * at_one, 1e-9);
-  EXPECT_NEAR(show(0.4, square(1.6)), 0.4 * at_one, 1e-9);
-  EXPECT_EQ(plate.camera().distance, camera.distance);
+  const double far = plate.camera().distance;
+  EXPECT_GT(far, near);
+  EXPECT_NEAR(show(1.5, square(1.6)), 1.5 * at_one, 1e-9);
+  EXPECT_EQ(plate.camera().distance, far) << "it does not breathe with the hand";
   EXPECT_EQ(plate.height(), 1);
   // Three times as high, or a third: anew. Pulled back, that one is kept.
   EXPECT_NEAR(show(3.1, square(1.6)), at_one, 1e-9);
