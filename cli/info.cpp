@@ -52,7 +52,7 @@ std::string energy_in_words(Kernel kernel) {
 template <int Dim>
 std::string degenerate_in_words(Index rank) {
   if (rank == 1) return "all centers stand at one point; the function is constant";
-  if (rank == 2) return "all centers lie on one line; the function does not change across it";
+  if (rank == 2) return "all centers lie on one line; the function is the same on all sides of it";
   return Dim == 3 ? "all centers lie in one plane; the polynomial does not change across it" : "";
 }
 

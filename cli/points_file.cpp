@@ -78,6 +78,10 @@ Point<Dim> parse_point(std::string_view line, const std::string& name, int numbe
       throw FileError(name, number,
                       "column " + std::to_string(d + 1) + ": expected a finite number, found " +
                           (column.empty() ? "nothing" : quoted(column)));
+    if (std::abs(*value) > 1e100)
+      throw FileError(name, number,
+                      "column " + std::to_string(d + 1) + ": " + quoted(column) +
+                          " is beyond 1e100; choose another unit of length");
     point[d] = *value;
   }
   return point;

@@ -24,8 +24,8 @@
 // to the right. core/rbf/border.h and sensitivity.h need these.
 //
 // Where all centers lie on one line (2D) or plane (3D), P has no full rank: the weights are determined all
-// the same and the polynomial is not. Among those that fit, the one of least norm is taken: f is then
-// constant across the line.
+// the same and the polynomial is not. Among those that fit, the one of least norm is taken: it is constant
+// across the line, so f is the same on both sides.
 #pragma once
 
 #include "core/base/progress.h"

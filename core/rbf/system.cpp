@@ -23,6 +23,11 @@ std::string list_of(const std::vector<Index>& indices) {
   return text;
 }
 
+// "constraint 3", "constraints 0, 4"
+std::string named(const std::vector<Index>& indices) {
+  return (indices.size() == 1 ? "constraint " : "constraints ") + list_of(indices);
+}
+
 std::vector<Index> sorted(const std::set<Index>& indices) { return {indices.begin(), indices.end()}; }
 
 template <int Dim>
@@ -32,10 +37,9 @@ void refuse_unless_finite(const Rows<Dim>& rows) {
     if (!rows.centers.col(i).allFinite() || !std::isfinite(rows.values[i]))
       culprits.insert(rows.origins[static_cast<std::size_t>(i)].constraint);
   if (culprits.empty()) return;
-  throw ConstraintError(
-      Reason::not_finite,
-      "constraint " + list_of(sorted(culprits)) + ": a coordinate or value is not a finite number",
-      sorted(culprits));
+  throw ConstraintError(Reason::not_finite,
+                        named(sorted(culprits)) + ": a coordinate or value is not a finite number",
+                        sorted(culprits));
 }
 
 // Weights are in units of length^-3; sizes whose cube is no double have none.
@@ -47,10 +51,10 @@ void refuse_unless_in_range(const Rows<Dim>& rows) {
     if (rows.centers.col(i).cwiseAbs().maxCoeff() > largest)
       culprits.insert(rows.origins[static_cast<std::size_t>(i)].constraint);
   if (!culprits.empty())
-    throw ConstraintError(Reason::out_of_range,
-                          "constraint " + list_of(sorted(culprits)) +
-                              ": a coordinate is beyond 1e100; choose another unit of length",
-                          sorted(culprits));
+    throw ConstraintError(
+        Reason::out_of_range,
+        named(sorted(culprits)) + ": a coordinate is beyond 1e100; choose another unit of length",
+        sorted(culprits));
   const double extent = bounding_box_of<Dim>(rows.centers).sizes().maxCoeff();
   if (extent > 0 && extent < smallest) {
     for (const auto& origin : rows.origins) culprits.insert(origin.constraint);
@@ -191,7 +195,10 @@ Rows<Dim> merge_coincident(const Rows<Dim>& rows) {
   if (!culprits.empty())
     throw ConstraintError(
         Reason::contradictory,
-        "constraints " + list_of(sorted(culprits)) + " ask for different values at one position" +
+        named(sorted(culprits)) +
+            (culprits.size() == 1   ? " and its normal ask for different values at one position"
+             : culprits.size() == 2 ? " ask for different values at one position"
+                                    : " meet others of them and ask for different values there") +
             (farthest_apart > 0
                  ? " (" + to_text(farthest_apart, 3) + " apart or less, too near in a scene of size " +
                        to_text(extent, 3) + ")"
