@@ -106,7 +106,7 @@ Figure energy_figure(const FigureContext& context) {
   for (const double side : sides) law.push_back(shortfalls[9] * std::pow(sides[9] / side, 2));
   const Chart log_chart{
       .x = {.label = "side of the square / size of the shape", .logarithmic = true},
-      .y = {.label = "missing part of the energy", .logarithmic = true, .low = 1e-6, .high = 1.0},
+      .y = {.label = "missing part of the energy", .logarithmic = true, .low = 1e-7, .high = 1.0},
       .series = {{.name = "1 \u2212 quadrature / 8\u03c0 w\u00b7h",
                   .x = sides,
                   .y = shortfalls,

@@ -62,7 +62,8 @@ void add_signs(const Signs& signs, Panel& panel, Figure& figure) {
   panel.facts["shape_size"] = signs.size;
   panel.facts["smallest_value_inside"] = signs.smallest_inside;
   panel.facts["largest_value_outside_to_5_sizes"] = signs.largest_outside;
-  panel.facts["sign_returns_at_sizes"] = signs.returns_at_sizes;
+  panel.facts["sign_searched_to_sizes"] = searched;
+  if (signs.returns_at_sizes < searched) panel.facts["sign_returns_at_sizes"] = signs.returns_at_sizes;
   figure.checks.push_back(at_least(panel.name + ": smallest f inside", signs.smallest_inside, 0));
   figure.checks.push_back(at_most(panel.name + ": largest f outside, to 5 sizes", signs.largest_outside, 0));
   figure.checks.push_back(

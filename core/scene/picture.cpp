@@ -40,7 +40,12 @@ void draw_grid(Canvas& canvas, const PlanView& view) {
 }
 
 // A bar of 1, 2 or 5 times a power of ten, about a sixth of the view, in its lower left corner.
-void draw_scale_bar(Canvas& canvas, const PlanView& view, double text_size) {
+struct ScaleBar {
+  double length = 0;  // scene units
+  Point<2> from = Point<2>::Zero(), to = Point<2>::Zero();
+};
+
+ScaleBar scale_bar(const PlanView& view) {
   const double wanted = view.scene.sizes().x() / 6;
   double length = std::pow(10.0, std::floor(std::log10(wanted)));
   for (const double longer : {5.0, 2.0})
@@ -49,7 +54,11 @@ void draw_scale_bar(Canvas& canvas, const PlanView& view, double text_size) {
       break;
     }
   const Point<2> from(view.page.left() + 10, view.page.bottom() - 9);
-  const Point<2> to = from + Point<2>(length * view.scale, 0);
+  return {length, from, from + Point<2>(length * view.scale, 0)};
+}
+
+void draw_scale_bar(Canvas& canvas, const PlanView& view, double text_size) {
+  const auto [length, from, to] = scale_bar(view);
   canvas.line(from, to, {.color = theme::paper, .width = 4.5});
   canvas.line(from, to, {.color = theme::ink, .width = 2, .cap = Cap::butt});
   canvas.text((from + to) / 2 - Point<2>(0, 5), to_text(length, 3),
@@ -70,6 +79,8 @@ void draw_gradient(Canvas& canvas, const PlanView& view, const Field<2>& field) 
   Points<2> gradients(2, points.cols());
   field.evaluate(points, values, gradients);
   const double steepest = gradients.colwise().norm().maxCoeff();
+  // Of a function that is constant but for rounding there is none.
+  if (!(steepest * view.scene.sizes().maxCoeff() > 1e-12 * values.cwiseAbs().maxCoeff())) return;
   for (Index i = 0; i < points.cols(); ++i) {
     const double depth = std::sqrt(gradients.col(i).norm() / steepest);
     if (!(depth > 0.1)) continue;
@@ -107,13 +118,18 @@ DrawnPicture draw_document(Canvas& canvas, const Rect& region, const Document<2>
     if (!display.field && options.tint_inside) tint_inside(canvas, view, curve.polylines);
     if (display.grid) draw_grid(canvas, view);
     if (display.isolines) {
+      std::vector<Point<2>> symbols = symbol_places(view, document);
+      if (display.scale_bar) {
+        const ScaleBar bar = scale_bar(view);
+        symbols.insert(symbols.end(), {bar.from, (bar.from + bar.to) / 2 - Point<2>(0, 9), bar.to});
+      }
       std::vector<Polyline> drawn = curve.polylines;
       drawn.insert(drawn.end(), options.ghosts.begin(), options.ghosts.end());
       draw_isolines(canvas, view, field, sampled,
                     {.range = range,
                      .on_colors = display.field,
                      .text_size = options.text_size,
-                     .symbols = symbol_places(view, document),
+                     .symbols = std::move(symbols),
                      .curves = std::move(drawn),
                      .cells = detail.isoline_cells,
                      .find_hidden = detail.every_component,
