@@ -79,6 +79,10 @@ void App::handle(const Input& input) {
   changed_ = true;
   if (const auto* dropped = std::get_if<FileDropped>(&input.event)) {
     const auto path = dropped->path;
+    if (!desk_.can_open(path)) {
+      recent_.remove(path);
+      return;
+    }
     return when_kept([this, path] { open(path); });
   }
   if (std::holds_alternative<CloseAsked>(input.event)) return act(DeskCommand::quit);
@@ -113,6 +117,7 @@ void App::handle(const Input& input) {
 }
 
 void App::place_everything() {
+  const bool had_chart = layout_.profile.width > 0;
   layout_ = layout_of({.width = static_cast<double>(window_.width()),
                        .height = static_cast<double>(window_.height()),
                        .menu = ui::menu_height(),
@@ -124,7 +129,16 @@ void App::place_everything() {
   if (shown_view_ && !(*shown_view_ == desk_.view())) shown_view_.reset();
   const bool resized =
       desk_.view().width() != layout_.scene.width || desk_.view().height() != layout_.scene.height;
-  if (!resized) return;
+  if (!had_chart && layout_.profile.width > 0) line_to_be_seen_ = true;
+  if (resized) resize_view();
+  // The chart's place was the scene's, where an end of the line may have been.
+  if (line_to_be_seen_ && desk_.gesture() == Gesture::none) {
+    line_to_be_seen_ = false;
+    desk_.show_profile_whole();
+  }
+}
+
+void App::resize_view() {
   // What was shown as a whole, by its document's view or by F, stays so when panels come and go.
   const bool as_saved = shows_as_saved(), whole = shown_view_.has_value();
   desk_.view().resize(layout_.scene.width, layout_.scene.height);
@@ -187,10 +201,10 @@ void App::frame() {
   tour_.watch(desk_);
   switch (tour_.frame(layout_.tour)) {
     case Tour::Wish::back:
-      tour_to(tour_.step() - 1);
+      when_recorded([this] { tour_to(tour_.step() - 1); });
       break;
     case Tour::Wish::next:
-      tour_to(tour_.step() + 1);
+      when_recorded([this] { tour_to(tour_.step() + 1); });
       break;
     case Tour::Wish::stop:
       tour_.stop();
@@ -252,7 +266,10 @@ void App::draw_status() {
                      message_of_ == std::pair(desk_.revision(), desk_.tool());
   // What was just asked for and refused comes before what has been wrong for a while.
   const bool first = fresh && (message.trouble || desk_.editor().size() == 0);
-  if (shape.impossible && !first) {
+  const auto count = [&](ConstraintKind kind) { return all_of(desk_.document(), kind).size(); };
+  const bool unbounded = count(ConstraintKind::boundary) == 0 &&
+                         (count(ConstraintKind::interior) == 0) != (count(ConstraintKind::exterior) == 0);
+  if (shape.impossible && !first && desk_.editor().size() > 0) {
     words = shape.impossible->message;
     color = colors.warning;
   } else if (fresh) {
@@ -265,6 +282,11 @@ void App::draw_status() {
     color = colors.accent;
   } else if (shape.function && asks_for_zero_alone(desk_.document())) {
     words = "f is 0 everywhere: an interior, exterior or normal constraint says which side is which";
+    color = colors.accent;
+  } else if (shape.function && unbounded) {
+    words =
+        count(ConstraintKind::interior) > 0 ? "all constraints are inside" : "all constraints are outside";
+    words += ": press B and click where the curve is to pass";
     color = colors.accent;
   } else {
     words = tool_infos()[static_cast<std::size_t>(desk_.tool())].hint;

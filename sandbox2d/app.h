@@ -82,6 +82,7 @@ class App {
  private:
   // app.cpp
   void place_everything();
+  void resize_view();
   void draw_status();
   void look_after_settings();
   void look_after_autosave();
@@ -110,7 +111,10 @@ class App {
   void export_window(bool dialog);
   FilePlaces places() const;
   void toggle_recording();
-  /// Does `then` when nothing unsaved would be lost, or it may be.
+  void ask_save_recording(std::function<void()> then = {});
+  /// Does `then` when no recording would be lost, or it may be.
+  void when_recorded(std::function<void()> then);
+  /// Does `then` when neither a recording nor anything unsaved would be lost, or they may be.
   void when_kept(std::function<void()> then);
   void show_entry(const GalleryEntry& entry);
   void tour_to(int step);
@@ -170,6 +174,7 @@ class App {
   };
   ChartLook chart_look_;
 
+  bool line_to_be_seen_ = false;  // the profile line, in the view that its chart leaves
   bool pointer_in_scene_ = false, shift_ = false;
   std::uint64_t message_seen_ = 0;
   double message_since_ = -100;

@@ -161,6 +161,7 @@ void App::when_kept(std::function<void()> then) {
   // It would go on in the document that comes.
   if (playback_.running()) playback_.stop(desk_);
   desk_.let_go();
+  if (desk_.recording()) return when_recorded([this, then] { when_kept(then); });
   if (!desk_.unsaved()) return then();
   std::string name = desk_.name();
   if (!name.empty() && name.back() == '*') name.pop_back();
@@ -234,7 +235,8 @@ void App::ask_export() {
         // A figure that was not moved is exported in its own proportions, as `figures` makes it.
         if (!shows_as_saved()) shown.display.view = desk_.view().scene();
         export_document(path, shown, *desk_.shape().function, {.pixels_per_point = export_scale_});
-        desk_.say("exported " + path.string());
+        const bool none = ending_of(path) == ".csv" && painter_.picture().curve.polylines.empty();
+        desk_.say("exported " + path.string() + (none ? "; there is no curve in it" : ""));
       },
       [this](const FileKind& kind) {
         if (kind.ending != ".png") return;
@@ -270,15 +272,36 @@ void App::toggle_recording() {
     desk_.start_recording();
     return desk_.say("recording: everything that is done can be done again; Ctrl+R ends it");
   }
-  auto session = std::make_shared<std::optional<Session<2>>>(desk_.stop_recording());
-  if (!*session || (*session)->commands.empty()) return desk_.say("nothing was recorded");
+  when_recorded({});
+}
+
+void App::when_recorded(std::function<void()> then) {
+  if (!desk_.recording()) return then ? then() : void();
+  const std::size_t commands = desk_.recorded();
+  const auto stop = [this, then](const char* words) {
+    desk_.stop_recording();
+    desk_.say(words);
+    if (then) then();
+  };
+  if (commands == 0) return stop("nothing was recorded");
+  questions_.ask(
+      {"Recording",
+       std::to_string(commands) + (commands == 1 ? " command was" : " commands were") + " recorded.",
+       {{"Save\u2026", [this, then] { ask_save_recording(then); }},
+        {"Discard", [stop] { stop("the recording is discarded"); }},
+        {"Go on recording", {}}}});
+}
+
+void App::ask_save_recording(std::function<void()> then) {
   files_.set_places(places());
   files_.ask_save("Save the session", {{".json", "Session"}},
                   settings_.settings().last_folder / "session.json",
-                  [this, session](const std::filesystem::path& path) {
-                    write_session(path, **session);
-                    desk_.say("recorded " + std::to_string((*session)->commands.size()) + " commands in " +
-                              path.string() + "; opening it does them again");
+                  [this, then](const std::filesystem::path& path) {
+                    const std::size_t commands = desk_.recorded();
+                    desk_.save_recording(path);
+                    desk_.say("recorded " + std::to_string(commands) + " commands in " + path.string() +
+                              "; opening it does them again");
+                    if (then) then();
                   });
 }
 

@@ -102,7 +102,7 @@ void App::draw_profile_chart() {
                        place.width,
                        place.height,
                        s,
-                       0.02 * desk_.view().scene().sizes().maxCoeff(),
+                       2.5 * s * desk_.view().pixel(),
                        window_.dark(),
                        moving()};
   if (!(look == chart_look_) || chart_texture_.empty()) {
@@ -116,7 +116,7 @@ void App::draw_profile_chart() {
         profile_range_.reset();
         profile_line_ = look.line;
       }
-      profile_range_.include(data);
+      look.moving ? profile_range_.include(data) : profile_range_.settle(data);
       draw_profile(chart, chart.bounds().inset(6 * s), data, profile_range_,
                    {.text_size = 11 * s, .colors = ui::colors()});
     }

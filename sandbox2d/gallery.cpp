@@ -130,11 +130,14 @@ void GalleryDialog::frame(double width, double height, double pixel_ratio, bool 
   const auto dialog = ui::dialog(gallery_title, std::min(width - margin, 1120 * s));
   if (!dialog) return;
   const int columns = std::clamp(static_cast<int>(ui::width_left() / (205 * s)), 1, 5);
-  const double cell = ui::width_left() / columns, side = std::floor(cell - 24 * s);
+  // With its title and what to try beneath it.
+  const double area_height = std::min(height - 190 * s, 640 * s);
+  const double cell = ui::width_left() / columns;
+  const double side = std::floor(std::max(60.0, std::min(cell - 24 * s, area_height - 110 * s)));
   draw_pictures(side, pixel_ratio, dark);
   ui::soft_text("Each opens as a copy that you can drag, change and save under a name of its own.");
   {
-    const auto area = ui::scroll_area("figures", 0, std::min(height - 190 * s, 640 * s));
+    const auto area = ui::scroll_area("figures", 0, area_height);
     const auto n = static_cast<std::size_t>(columns);
     const auto table =
         ui::table("gallery", std::vector<std::string>(n, ""), false, std::vector<double>(n, 1));

@@ -35,9 +35,11 @@ Layout layout_of(const LayoutWish& wish) {
     const Rect column{right - half, top, half, height};
     right = column.x;
     // The chart needs little height, the plate all it can get.
-    const double chart = !wish.profile ? 0 : wish.plate ? std::round(0.36 * height) : height;
+    double chart = !wish.profile ? 0 : height;
+    if (wish.profile && wish.plate) chart = std::round(std::clamp(130 * s, 0.36 * height, 0.5 * height));
+    if (chart < 100 * s) chart = 0;  // nothing could be read
     if (wish.plate) layout.plate = {column.x, top, half, height - chart};
-    if (wish.profile) layout.profile = {column.x, top + height - chart, half, chart};
+    if (chart > 0) layout.profile = {column.x, top + height - chart, half, chart};
   }
   layout.scene = {left, top, right - left, height};
   return layout;

@@ -81,7 +81,7 @@ class Overlay {
     double largest = 0;
     for (const auto* each : {&weights.own, &weights.normal})
       for (const double w : *each) largest = std::max(largest, std::abs(w));
-    if (!(largest > 0)) return;
+    if (!(largest > 0) || flat()) return;
     const double full = std::max(6.0, 24 * desk_.symbol_share()) * s_;
     std::vector<std::pair<double, Point<2>>> found;
     for (std::size_t i = 0; i < weights.own.size(); ++i) {
@@ -99,6 +99,16 @@ class Overlay {
     else
       for (const auto& [weight, at] : found) draw_weight(at, weight, largest, full);
     label_weights(found);
+  }
+
+  // Whether f is a plane but for rounding, whose weights say nothing.
+  bool flat() const {
+    const auto& function = desk_.shape().function;
+    double value = 0;
+    for (const auto& each : desk_.document().constraints)
+      value = std::max(value, std::abs(each.constraint.value));
+    return !function || function->normalized_weights().size() == 0 ||
+           function->normalized_weights().cwiseAbs().maxCoeff() < 1e-12 * value;
   }
 
   // The largest first, and as many as have room.
@@ -158,7 +168,8 @@ class Overlay {
     canvas_.line(from, to, {.color = theme::moved, .width = 1.6 * s_});
     // Constraints stand on the line, not under it.
     const Point<2> along = (to - from).normalized();
-    const double symbol = std::max(5.0, 11 * desk_.symbol_share()) * s_;
+    const double share = desk_.symbol_share(), symbol = 11 * share * s_;
+    if (share < 0.7) return draw_profile_ends(from, to);  // a crowd's would cut line and curve to pieces
     for (const auto& each : desk_.document().constraints) {
       const Point<2> at = page(each.constraint.at), way = at - from;
       const double across = std::abs(way.x() * along.y() - way.y() * along.x());
@@ -166,6 +177,10 @@ class Overlay {
       draw_symbol(canvas_, symbol_of(each.constraint.kind), at, symbol,
                   each.highlight ? theme::moved : theme::constraint);
     }
+    draw_profile_ends(from, to);
+  }
+
+  void draw_profile_ends(const Point<2>& from, const Point<2>& to) {
     for (const Point<2>& end : {from, to}) {
       canvas_.fill_circle(end, 4.6 * s_, theme::paper);
       canvas_.fill_circle(end, 3.4 * s_, theme::moved);
@@ -223,7 +238,7 @@ class Overlay {
     if (seen)
       tag(*seen, words, theme::moved);
     else if (unseen)
-      point_out(*unseen, words + "; F shows all");
+      point_out(*unseen, words);
   }
 
   // An arrow at the rim, to what is beyond it.
@@ -311,7 +326,8 @@ class Overlay {
     const std::string name = desk_.other_name();
     if (name.empty()) return;
     const double size = 11.5 * s_;
-    const std::string words = name == "before" ? "dashed: before" : "dashed: kernel " + name;
+    const std::optional<Kernel> kernel = kernel_named(name);
+    const std::string words = kernel ? "dashed: kernel " + formula_of(*kernel) : "dashed: " + name;
     const TextSize room = measure_text(words, {.size = size});
     const Rect box{canvas_.width() - room.width - 52 * s_, 12 * s_, room.width + 40 * s_, 2.1 * size};
     canvas_.fill_rectangle(box, theme::paper.with_alpha(0.88), 3 * s_);

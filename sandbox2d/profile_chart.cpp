@@ -69,6 +69,13 @@ void ProfileRange::include(const ProfileData& profile) {
   if (fresh || low < low_) low_ = std::min(low - 0.12 * span, fresh ? 0.0 : low_);
 }
 
+void ProfileRange::settle(const ProfileData& profile) {
+  ProfileRange needed;
+  needed.include(profile);
+  if (3 * (needed.high() - needed.low()) < high_ - low_) reset();
+  include(profile);
+}
+
 namespace {
 
 class ProfilePainter {
@@ -121,8 +128,10 @@ class ProfilePainter {
     TextStyle name = words();
     name.color = c.ink;
     name.align = Align::center;
-    canvas_.text({plot.center().x(), plot.bottom() + 2.65 * look_.text_size}, "distance along the line",
-                 name);
+    const double room = 2 * (canvas_.width() - plot.center().x());
+    const char* words = "distance along the line";
+    if (measure_text(words, name).width > room) words = "distance";
+    canvas_.text({plot.center().x(), plot.bottom() + 2.65 * look_.text_size}, words, name);
     name.italic = true;
     name.vertical = VerticalAlign::middle;
     canvas_.text({plot.left() - 5 * unit_ - widest_label() - 0.8 * look_.text_size, plot.center().y()}, "f",
@@ -191,8 +200,13 @@ class ProfilePainter {
   }
 
   void marks() {
+    std::vector<Point<2>> drawn;
     for (const ProfileMark& mark : profile_.marks) {
       const Point<2> p = at(mark.along, mark.value);
+      // A rope of symbols, each on the next, would hide the curve.
+      const auto hides = [&](const Point<2>& other) { return (p - other).norm() < 5 * unit_; };
+      if (std::ranges::any_of(drawn, hides)) continue;
+      drawn.push_back(p);
       const Color color = mark.highlight ? theme::moved : theme::constraint;
       if (mark.normal) {
         canvas_.fill_circle(p, 3.4 * unit_, theme::paper);

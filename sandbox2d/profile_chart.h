@@ -6,11 +6,12 @@
 //     draw_profile(canvas, canvas.bounds(), profile, range, {.text_size = 11 * ui::scale()});
 //
 // Inside, where f > 0, the area between f and zero is orange, outside blue, as on the plate. Constraints that
-// lie near the line stand at the value they ask for. Another function of the same line, the one before a
+// lie on the line stand at the value they ask for. Another function of the same line, the one before a
 // drag began, is thin and dashed.
 //
 // Its scale stands still while something is dragged, or one would see the axis move and not the function: it
-// grows at once, by a good step so that it does not crawl, and shrinks only when asked.
+// grows at once, by a good step so that it does not crawl, and shrinks where all is at rest and most of it
+// is empty.
 //
 // Before it: a Field and a ProfileLine.  After it: a canvas in a panel; a figure's sheet.
 #pragma once
@@ -25,7 +26,7 @@
 
 namespace seesaw {
 
-/// A constraint near the line.
+/// A constraint on the line, as nearly as can be seen.
 struct ProfileMark {
   double along = 0;  ///< the foot of its perpendicular, from the line's start, scene units
   double value = 0;  ///< that it asks for
@@ -56,6 +57,8 @@ class ProfileRange {
  public:
   /// Grows where the profile, its marks or the other function leave it.
   void include(const ProfileData& profile);
+  /// When all is at rest: include(), anew where the profile needs less than a third of the axis.
+  void settle(const ProfileData& profile);
   /// The next include() chooses it anew.
   void reset() { low_ = high_ = 0; }
   double low() const { return low_; }

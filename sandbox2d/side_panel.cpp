@@ -27,11 +27,11 @@ void tell(Desk& desk, const ui::Edit& edit, const Action<2>& action) {
 // How fast a number is dragged: a pixel of the picture for a pixel of the hand.
 double pixel_of(const Desk& desk) { return desk.view().pixel(); }
 
-// A digit more than tells a pixel from the next.
+// A digit more than tells a pixel from the next, as far as there is room.
 const char* place_format(double value, double pixel) {
-  static const char* const formats[] = {"%.4g",  "%.5g",  "%.6g",  "%.7g",  "%.8g",  "%.9g",  "%.10g",
-                                        "%.11g", "%.12g", "%.13g", "%.14g", "%.15g", "%.16g", "%.17g"};
-  return formats[std::clamp(digits_for(value, pixel) + 1 - 4, 0, 13)];
+  static const char* const formats[] = {"%.4g", "%.5g",  "%.6g",  "%.7g", "%.8g",
+                                        "%.9g", "%.10g", "%.11g", "%.12g"};
+  return formats[std::clamp(digits_for(value, pixel) + 1 - 4, 0, 8)];
 }
 
 }  // namespace
@@ -53,15 +53,14 @@ void SidePanel::function(Desk& desk, const std::function<void(DeskCommand)>& act
   int chosen = 0;
   for (const Kernel each : all_kernels) {
     if (each == document.kernel) chosen = static_cast<int>(names.size());
-    names.push_back(each == Kernel::thin_plate_spline ? "r\u00b2 log r"
-                    : each == Kernel::cubic           ? "r\u00b3"
-                                                      : "r");
+    names.push_back(formula_of(each));
   }
   if (ui::choice("kernel", chosen, names))
     desk.apply(SetKernel{all_kernels[static_cast<std::size_t>(chosen)]});
   double smoothing = document.smoothing;
-  tell(desk, ui::slider("smoothing", smoothing, 0, 10, {.format = "%.3g", .logarithmic = true}),
-       SetSmoothing{std::max(0.0, smoothing)});
+  const ui::Edit smoothed =
+      ui::slider("smoothing", smoothing, 0, 10, {.format = "%.3g", .logarithmic = true});
+  tell(desk, smoothed, SetSmoothing{std::max(0.0, smoothing)});
   if (ui::last_hovered())
     ui::tooltip("0 passes through every constraint exactly; more lets the curve miss them to be smoother");
   // With large letters the panel is narrow, and the last button stands below the others.
@@ -89,7 +88,7 @@ void SidePanel::lever(Desk& desk, ConstraintKind kind) {
   double value = sign * size;
   const double near = sign * 0.01, far = sign * reach;
   const ui::Edit edit = ui::slider(inner ? "interior value" : "exterior value", value, std::min(near, far),
-                                   std::max(near, far), {.format = "%.3f"});
+                                   std::max(near, far), {.format = "%.3f", .typed_beyond = true});
   if (edit.changed && sign * value > 0) desk.slide(SetValue{which, value});
   if (edit.ended) desk.let_go();
   if (ui::last_hovered() && !desk.sliding())
@@ -159,16 +158,18 @@ void SidePanel::normal(Desk& desk, Index which) {
 void SidePanel::several(Desk& desk, const std::function<void(DeskCommand)>& act) {
   Index by_kind[3] = {};
   for (const Index i : desk.selection().indices()) ++by_kind[static_cast<int>(desk.constraint(i).kind)];
-  std::string words = std::to_string(desk.selection().size()) + " selected:";
+  std::string words;
   for (int k = 0; k < 3; ++k)
     if (by_kind[k] > 0)
-      words += " " + std::to_string(by_kind[k]) + " " + kind_names()[static_cast<std::size_t>(k)];
-  ui::paragraph(words);
+      words += (words.empty() ? " selected: " : ", ") + std::to_string(by_kind[k]) + " " +
+               kind_names()[static_cast<std::size_t>(k)];
+  ui::paragraph(std::to_string(desk.selection().size()) + words);
   Point<2> middle = Point<2>::Zero();
   for (const Index i : desk.selection().indices())
     middle += desk.constraint(i).at / static_cast<double>(desk.selection().size());
   for (int axis = 0; axis < 2; ++axis) {
     Point<2> to = middle;
+    if (std::abs(to[axis]) < 1e-6 * pixel_of(desk)) to[axis] = 0;  // a sum's rounding
     const ui::Edit edit = ui::drag_number(axis == 0 ? "middle x" : "middle y", to[axis], pixel_of(desk),
                                           place_format(to[axis], pixel_of(desk)));
     tell(desk, edit, Move<2>{desk.selection().indices(), to - middle});

@@ -107,7 +107,8 @@ std::vector<TourStep> make_steps() {
            "boundary constraint, and the curve closes. (With one interior constraint all of f grows, and the "
            "curve "
            "itself stands still.)",
-       .task = "Pull \u201cinterior value\u201d in the side panel up to 2, and watch the plate tip.",
+       .task =
+           "Pull \u201cinterior value\u201d in the side panel up to 2, or press ], and watch the plate tip.",
        .scene = [] { return of_gallery("seesaw.json"); },
        .done =
            [](const Document<2>&, Desk& desk) {

@@ -74,10 +74,12 @@ bool ValuesDialog::write(Desk& desk) {
 
 void ValuesDialog::frame(Desk& desk) {
   const double s = ui::scale();
-  const auto dialog = ui::dialog(values_title, 420 * s);
+  const auto dialog = ui::dialog(values_title, 420 * s, false);
   // In the next frame: the Enter that asked for it would press its main button.
   if (std::exchange(asked_, false)) ui::open_dialog(values_title);
   if (!dialog) return;
+  // At once, also out of a field: what is typed is not to be kept.
+  if (ui::foremost() && ui::key_pressed(Key::escape)) return ui::close_dialog();
   if (which_ < 0 || which_ >= desk.editor().size()) return ui::close_dialog();
   const auto width = ui::item_width(200 * s);
   const Index selected = desk.selection().size();

@@ -121,7 +121,11 @@ bool Desk::did(const Action<2>& action) {
     if (std::holds_alternative<Restore<2>>(action) && outcome.changed) selection_.clear();
     return true;
   } catch (const Refused& refused) {
-    say(refused.what(), true);
+    // The action's name is for sessions and scripts; a hand knows what it has done.
+    std::string words = refused.what();
+    const std::string name = name_of<2>(action) + std::string(": ");
+    if (words.starts_with(name)) words.erase(0, name.size());
+    say(std::move(words), true);
     return false;
   }
 }
@@ -204,6 +208,18 @@ std::shared_ptr<const Interpolant<2>> Desk::other() {
   return other_;
 }
 
+std::string formula_of(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::thin_plate_spline:
+      return "r\u00b2 log r";
+    case Kernel::cubic:
+      return "r\u00b3";
+    case Kernel::linear:
+      break;
+  }
+  return "r";
+}
+
 std::string Desk::other_name() const {
   if (other_kernel_ && *other_kernel_ != document().kernel) return std::string(name_of(*other_kernel_));
   return comparing_ ? "before" : "";
@@ -224,6 +240,17 @@ void Desk::fit() {
     view_.show(everything.constraints.empty() ? Box<2>() : grown(box_around(everything), 0.12));
   else
     view_.show(view_box(everything, *function));
+  show_profile_whole();
+}
+
+void Desk::show_profile_whole() {
+  if (!profile_) return;
+  Box<2> box = view_.scene();
+  const auto beyond = [&](const Point<2>& end) { return !box.contains(end); };
+  if (!beyond(profile_->from) && !beyond(profile_->to)) return;
+  box.extend(profile_->from);
+  box.extend(profile_->to);
+  view_.show(grown(box, 0.03));
 }
 
 void Desk::show_as_saved() {

@@ -53,6 +53,9 @@ struct DeskOptions {
   Index most_constraints = 5000;
 };
 
+/// phi(r) as people write it: "r\u00b2 log r", "r\u00b3" or "r", in UTF-8.
+std::string formula_of(Kernel kernel);
+
 /// What was done, or why not: one sentence for the bottom of the window.
 struct DeskMessage {
   std::string text = {};
@@ -151,13 +154,15 @@ class Desk {
   std::shared_ptr<const Interpolant<2>> other();
   /// True where other() is that of an earlier revision, or null, because its solver is still at work.
   bool other_pending() const { return other_pending_; }
-  /// "before", or the kernel's name; empty for none.
+  /// "before", or the kernel's name (core/rbf/kernel.h); empty for none.
   std::string other_name() const;
 
   // --- The view.
 
-  /// Shows all constraints and the closed curves.
+  /// Shows all constraints, the closed curves and the profile line.
   void fit();
+  /// Steps back where an end of the profile line is out of sight.
+  void show_profile_whole();
   /// Shows what the document asks for; else everything.
   void show_as_saved();
 
@@ -167,12 +172,15 @@ class Desk {
   /// was done can then be undone, and the document has no file. False where it cannot be read: the message
   /// says why, and nothing has changed.
   bool open(const std::filesystem::path& path);
+  /// Whether there is a document or a session in the file, before anything is given up for it. Where not, the
+  /// message says why.
+  bool can_open(const std::filesystem::path& path);
   /// All or nothing. False where it cannot be written.
   bool save(const std::filesystem::path& path);
   /// An empty one, or a figure from the gallery, which has no file to be saved to.
   void start(Document<2> document = {});
-  /// As start(), but as one step to undo: a person who goes from figure to figure loses nothing. For a document
-  /// without a file. What was saved counts as saved.
+  /// As start(), but as one step to undo: a person who goes from figure to figure loses nothing. For a
+  /// document without a file. What was saved counts as saved.
   void exchange(Document<2> document);
   /// One that was saved after a crash, and is still to be saved to `path`.
   void recover(Document<2> document, const std::filesystem::path& path);
@@ -196,6 +204,11 @@ class Desk {
   /// What was recorded; nothing if it was not. Ends also where another document is opened.
   std::optional<Session<2>> stop_recording();
   bool recording() const { return recording_; }
+  /// How many commands, so far.
+  std::size_t recorded() const { return recording_ ? session_->commands.size() : 0; }
+  /// Writes what was recorded, all or nothing, and ends the recording, which goes on where that fails. Throws
+  /// FileError.
+  void save_recording(const std::filesystem::path& path);
 
  private:
   // From the press of a button to its release.

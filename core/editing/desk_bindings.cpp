@@ -87,7 +87,8 @@ std::span<const KeyBinding> key_bindings() {
        {},
        C::raise_value,
        in_edit,
-       "the see-saw lever: the selection's interior values up, exterior ones down, by a tenth"},
+       "the see-saw lever: the selection's interior values up, exterior ones down, by a tenth; with no "
+       "selection all interior ones"},
       {K::left_bracket, {}, C::lower_value, in_edit, "the lever back: values toward 0"},
       {K::left, {}, C::nudge_left, in_edit, nudge},
       {K::right, {}, C::nudge_right, in_edit, nudge},
@@ -164,6 +165,8 @@ std::span<const PointerBinding> pointer_bindings() {
   constexpr unsigned ends = bit_of(Over::profile_start) | bit_of(Over::profile_end);
   constexpr unsigned along = bit_of(Over::profile), ground = empty | curve | ends | along;
   static constexpr PointerBinding rows[] = {
+      {S::turn, select | placing | normal, left, with_ctrl, spike, 0, "the end of a normal", "select it",
+       "turn the normal; its length becomes its value"},
       {S::pan, any_tool, middle, {}, anything, 0, "", "", "pan"},
       {S::pan, any_tool, right, {}, anything, 0, "", "", "pan"},
       {S::quick_boundary, any_tool, left, with_ctrl, anything, 0, "",

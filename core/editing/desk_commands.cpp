@@ -188,7 +188,9 @@ void Desk::run_display(DeskCommand command) {
       other_revision_ = ~std::uint64_t{0};
       other_.reset();
       other_pending_ = false;
-      return;
+      return say(other_kernel_ ? "compared with the kernel " + formula_of(*other_kernel_) + ", dashed"
+                 : comparing_  ? "compared with what was remembered, dashed"
+                               : "no longer compared");
     }
     default:
       return;
@@ -233,10 +235,13 @@ void Desk::nudge(const Point<2>& direction, bool far) {
   did(Move<2>{selection_.indices(), direction * (grid_.on ? grid_step() : view_.pixel()) * (far ? 10 : 1)});
 }
 
-// Constraints of one value are set together, so that holding the key down takes the room of one step.
+// Of what is selected, or of all interior constraints. Constraints of one value are set together, so that
+// holding the key down takes the room of one step.
 void Desk::lever(double factor) {
   std::vector<std::pair<double, std::vector<Index>>> groups;
-  for (const Index i : selection_.indices()) {
+  std::vector<Index> chosen = selection_.indices();
+  if (chosen.empty()) chosen = all_of(document(), ConstraintKind::interior);
+  for (const Index i : chosen) {
     const Constraint<2>& each = constraint(i);
     if (each.kind == ConstraintKind::boundary) continue;
     const auto group = std::ranges::find(groups, each.value, &std::pair<double, std::vector<Index>>::first);

@@ -34,6 +34,22 @@ void Desk::replace(Editor<2> next, std::filesystem::path path, bool saved) {
   show_as_saved();
 }
 
+bool Desk::can_open(const std::filesystem::path& path) {
+  try {
+    const std::string text = read_file(path, JsonLimits{}.bytes);
+    if (text.find("\"seesaw_session\"") == std::string::npos)
+      parse_document<2>(text, path.string());
+    else
+      parse_session(text, path.string());
+    return true;
+  } catch (const Error& error) {
+    say(error.what(), true);
+  } catch (const std::bad_alloc&) {
+    say(path.string() + ": there is not enough memory for it", true);
+  }
+  return false;
+}
+
 bool Desk::open(const std::filesystem::path& path) {
   try {
     const std::string text = read_file(path, JsonLimits{}.bytes);
@@ -180,6 +196,12 @@ std::optional<Session<2>> Desk::stop_recording() {
   std::optional<Session<2>> result = std::move(*session_);
   session_.reset();
   return result;
+}
+
+void Desk::save_recording(const std::filesystem::path& path) {
+  let_go();
+  write_session(path, *session_);
+  stop_recording();
 }
 
 bool Desk::do_again(const Command<2>& command) {

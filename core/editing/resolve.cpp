@@ -59,7 +59,8 @@ SetNormal<Dim> normal(const AddNormal& add, const Document<Dim>& document, const
       refuse(action, "offset: expected a number other than 0, found " + to_text(offset));
   } else {
     const double longest = bounding_box_of<Dim>(boundary_points(document)).sizes().maxCoeff();
-    if (longest > 0 && std::isfinite(longest)) offset *= longest;
+    // Of two digits: a person reads it.
+    if (longest > 0 && std::isfinite(longest)) offset = std::stod(to_text(offset * longest, 2));
   }
   NormalConstraint<Dim> result;
   result.direction = -gradient / slope;

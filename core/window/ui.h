@@ -140,7 +140,8 @@ void long_list(Index count, const std::function<void(Index)>& draw_row, Index sh
 
 struct SliderOptions {
   const char* format = "%.3g";
-  bool logarithmic = false;  ///< for values over several powers of ten; may include zero
+  bool logarithmic = false;   ///< for values over several powers of ten; may include zero
+  bool typed_beyond = false;  ///< a number that is typed may lie beyond the ends
 };
 /// A click and a drag; ctrl-click to type.
 Edit slider(const std::string& label, double& value, double least, double most, const SliderOptions& = {});

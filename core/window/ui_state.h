@@ -31,6 +31,8 @@ struct UiState {
   /// What stands in the number fields that have the caret, or had it in the last frame, by Dear ImGui's
   /// numbers for them.
   std::map<unsigned, double> typed = {};
+  /// The number for the widget that was dragged, or typed into, in the last frame; 0 for none.
+  unsigned in_hand = 0;
 
   /// Whether it was asked for; then it is no longer.
   bool take_to_open(const std::string& name) { return std::erase(to_open, name) > 0; }

@@ -42,6 +42,29 @@ Edit edit_of_last(const std::string& label, bool changed) {
   return {changed, ImGui::IsItemActivated(), ImGui::IsItemDeactivatedAfterEdit()};
 }
 
+// A comma is how half the world writes the point; dropped in silence it would make 0,9 a nine. Lives around
+// the widget that a number may be typed into.
+class PointForComma {
+ public:
+  explicit PointForComma(const std::string& label) : id_(ImGui::GetID(label.c_str())) {
+    if (detail::ui_state().in_hand != id_) return;
+    for (ImWchar& letter : ImGui::GetIO().InputQueueCharacters)
+      if (letter == ',') letter = '.';
+  }
+  ~PointForComma() {
+    ImGuiID& in_hand = detail::ui_state().in_hand;
+    if (ImGui::IsItemActive())
+      in_hand = id_;
+    else if (in_hand == id_)
+      in_hand = 0;
+  }
+  PointForComma(const PointForComma&) = delete;
+  PointForComma& operator=(const PointForComma&) = delete;
+
+ private:
+  ImGuiID id_;
+};
+
 }  // namespace
 
 bool button(const std::string& label, double width) { return plain_button(label, width); }
@@ -76,8 +99,10 @@ bool list_item(const std::string& label, bool chosen) {
 Edit slider(const std::string& label, double& value, double least, double most,
             const SliderOptions& options) {
   // What is typed (ctrl-click) stays within; what the program gave stays as it is until it is touched.
-  const int flags = ImGuiSliderFlags_AlwaysClamp | (options.logarithmic ? ImGuiSliderFlags_Logarithmic : 0) |
+  const int flags = (options.typed_beyond ? 0 : ImGuiSliderFlags_AlwaysClamp) |
+                    (options.logarithmic ? ImGuiSliderFlags_Logarithmic : 0) |
                     ImGuiSliderFlags_NoRoundToFormat;
+  const PointForComma typed(label);
   const bool changed =
       ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &value, &least, &most, options.format, flags);
   return edit_of_last(label, changed);
@@ -94,10 +119,7 @@ Edit number(const std::string& label, double& value, double step, const char* fo
   double typed = value;
   auto& all_typed = detail::ui_state().typed;
   const ImGuiID id = ImGui::GetID(label.c_str());
-  // A comma is how half the world writes the point; dropped in silence it would make 0,9 a nine.
-  if (all_typed.contains(id))
-    for (ImWchar& letter : ImGui::GetIO().InputQueueCharacters)
-      if (letter == ',') letter = '.';
+  const PointForComma point(label);
   ImGui::InputScalar(label.c_str(), ImGuiDataType_Double, &typed, step > 0 ? &step : nullptr, nullptr, format,
                      ImGuiInputTextFlags_CharsScientific);
   Edit edit = edit_of_last(label, false);
@@ -115,6 +137,7 @@ Edit number(const std::string& label, double& value, double step, const char* fo
 }
 
 Edit drag_number(const std::string& label, double& value, double speed, const char* format) {
+  const PointForComma typed(label);
   const bool changed =
       ImGui::DragScalar(label.c_str(), ImGuiDataType_Double, &value, static_cast<float>(speed), nullptr,
                         nullptr, format, ImGuiSliderFlags_NoRoundToFormat);

@@ -181,7 +181,7 @@ TEST(AppFiles, ARecordedSessionIsDoneAgain) {
              "key ctrl+z\nkey ctrl+y\nkey v\ndrag \"interior value\" \"interior value\" +20 +0 5");
   EXPECT_TRUE(stage.desk().recording());
   const std::string recorded = bits_of(stage.document());
-  stage.play("key ctrl+r\n" + saved_as(folder / "session.json"));
+  stage.play("key ctrl+r\nframes 3\nkey enter\n" + saved_as(folder / "session.json"));
   EXPECT_FALSE(stage.desk().recording());
   ASSERT_FALSE(stage.dialog()) << stage.app().file_dialog().trouble();
   EXPECT_NO_THROW(read_session(folder / "session.json"));
@@ -200,8 +200,8 @@ TEST(AppFiles, ASessionIsReplayedBeforeOnesEyes) {
   ScratchFolder folder;
   AppStage stage(window);
   const std::string start = bits_of(stage.document());
-  stage.play("key ctrl+r\n" + stage.drag(stage.at(0), stage.at(0) * 1.3, 12) + "key k\nkey ctrl+r\n" +
-             saved_as(folder / "session.json"));
+  stage.play("key ctrl+r\n" + stage.drag(stage.at(0), stage.at(0) * 1.3, 12) +
+             "key k\nkey ctrl+r\nframes 3\nkey enter\n" + saved_as(folder / "session.json"));
   const std::string recorded = bits_of(stage.document());
   const std::string mine = "click \"Don't save\"\nframes 3\n";
   const auto replay = [&](const std::string& unsaved) {
@@ -249,6 +249,44 @@ TEST(AppFiles, AFileGivenAtTheStart) {
   EXPECT_TRUE(stage.desk().message().trouble);
   EXPECT_TRUE(stage.desk().path().empty());
   EXPECT_EQ(bits_of(stage.document()), bits_of(read_scene(gallery().front()))) << "there is something to see";
+}
+
+TEST(AppFiles, ARecordingIsNotLostWithoutAWord) {
+  SEESAW_WINDOW_OR_SKIP(window, app_window);
+  ScratchFolder folder;
+  AppStage stage(window);
+  stage.play("key ctrl+r\nkey k\nkey ctrl+n\nframes 3");
+  ASSERT_TRUE(stage.has("Recording/Discard"));
+  stage.play("key escape\nframes 2");
+  EXPECT_TRUE(stage.desk().recording());
+  EXPECT_GT(stage.document().constraints.size(), 5u) << "nothing was given up for it";
+  // A file that is not to be: the recording goes on.
+  stage.play("key ctrl+r\nframes 3\nkey enter\nframes 3\nkey escape\nframes 2");
+  EXPECT_FALSE(stage.dialog());
+  EXPECT_TRUE(stage.desk().recording());
+  // Saved on the way to another document; then what is unsaved is asked about.
+  stage.play("key ctrl+n\nframes 3\nkey enter\n" + saved_as(folder / "session.json") + "frames 3");
+  EXPECT_FALSE(stage.desk().recording());
+  EXPECT_EQ(std::get<Session<2>>(read_session(folder / "session.json")).commands.size(), 1u);
+  stage.play("click \"Don't save\"\nframes 3");
+  EXPECT_EQ(stage.document().constraints.size(), 0u);
+  // Nothing was recorded: nothing is asked. Discarded: gone.
+  stage.play("key ctrl+r\nkey ctrl+r\nframes 2");
+  EXPECT_FALSE(stage.dialog());
+  EXPECT_SAID(stage, "nothing was recorded");
+  stage.play("key ctrl+r\nkey k\nkey ctrl+r\nframes 3\nclick \"Discard\"\nframes 2");
+  EXPECT_FALSE(stage.desk().recording());
+}
+
+TEST(AppFiles, WhatCannotBeReadIsSaidBeforeAnythingIsGivenUpForIt) {
+  SEESAW_WINDOW_OR_SKIP(window, app_window);
+  ScratchFolder folder;
+  AppStage stage(window);
+  std::ofstream(folder / "bad.json") << "{\"seesaw\": 1,";
+  stage.play(stage.drag(stage.at(0), stage.at(0) * 1.3) + "drop \"" + (folder / "bad.json").string() + "\"");
+  EXPECT_FALSE(stage.dialog()) << "no question whether to save";
+  EXPECT_SAID(stage, "bad.json");
+  EXPECT_EQ(stage.steps(), 1u);
 }
 
 // The plate, the profile and the panels with it, as they are seen when the dialog is gone.

@@ -191,6 +191,35 @@ TEST(App, TheInteriorValueIsPulledInOneStep) {
   // The lever by keys moves what is selected.
   stage.play(stage.click(stage.at(4)) + "key right_bracket\nkey right_bracket");
   EXPECT_NEAR(stage.desk().constraint(4).value, 1.21, 1e-12);
+  // With nothing selected they move what the slider moves.
+  stage.play("key ctrl+shift+a\nkey left_bracket");
+  EXPECT_NEAR(stage.desk().constraint(4).value, 1.1, 1e-12);
+}
+
+TEST(App, SmoothingIsPulledAndTyped) {
+  SEESAW_WINDOW_OR_SKIP(window, app_window);
+  AppStage stage(window);
+  const std::string before = bits_of(stage.document());
+  stage.play("drag \"smoothing\" \"smoothing\" +30 +0 6");
+  EXPECT_GT(stage.document().smoothing, 0);
+  EXPECT_EQ(stage.desk().shape().report.smoothing, stage.document().smoothing);
+  EXPECT_GT(std::abs(stage.f(stage.at(0))), 1e-6) << "it no longer interpolates";
+  EXPECT_EQ(stage.steps(), 1u);
+  stage.play("key ctrl+z");
+  EXPECT_EQ(bits_of(stage.document()), before);
+  const std::string typing = "keydown ctrl\nclick \"smoothing\"\nkeyup ctrl\nframes 2\nkey ctrl+a\n";
+  stage.play(typing + "text \"0,25\"\nkey enter");
+  EXPECT_EQ(stage.document().smoothing, 0.25) << "with a comma, too";
+  stage.play(typing + "text \"0\"\nkey enter");
+  EXPECT_EQ(stage.document().smoothing, 0);
+}
+
+TEST(App, TheLeverMayBeTypedBeyondItsEnd) {
+  SEESAW_WINDOW_OR_SKIP(window, app_window);
+  AppStage stage(window);
+  stage.play(
+      "keydown ctrl\nclick \"interior value\"\nkeyup ctrl\nframes 2\nkey ctrl+a\ntext \"7,5\"\nkey enter");
+  EXPECT_EQ(stage.desk().constraint(4).value, 7.5);
 }
 
 TEST(App, SwitchesByTheirKeys) {
@@ -317,6 +346,14 @@ TEST(App, NumbersAreTypedAsOneStep) {
   EXPECT_TRUE(stage.dialog());
   EXPECT_EQ(bits_of(stage.document()), moved);
   EXPECT_EQ(stage.steps(), 1u);
+  EXPECT_SAID(stage, "expected a number above 0");
+  EXPECT_THAT(stage.desk().message().text, testing::Not(testing::HasSubstr("set_value")));
+  // Once, wherever the caret is.
+  stage.play("key escape");
+  EXPECT_FALSE(stage.dialog());
+  stage.play("key enter\nframes 3\ntext \"0.3\"\nkey escape");
+  EXPECT_FALSE(stage.dialog());
+  EXPECT_EQ(bits_of(stage.document()), moved);
 }
 
 TEST(App, NumbersOfSeveralAreOfAllOfThem) {
@@ -336,6 +373,9 @@ TEST(App, NumbersOfSeveralAreOfAllOfThem) {
   for (std::size_t i = 0; i < before.constraints.size(); ++i)
     EXPECT_EQ(stage.document().constraints[i].constraint.normal->direction,
               before.constraints[i].constraint.normal->direction);
+  typed("offset", "0,25");
+  EXPECT_EQ(stage.document().constraints[0].constraint.normal->offset, 0.25) << "half the world's point";
+  stage.play("key ctrl+z");
   typed("middle x", "3");
   Point<2> middle = Point<2>::Zero();
   for (const auto& each : stage.document().constraints)

@@ -106,6 +106,11 @@ TEST(Profile, ItsScaleGrowsAtOnceAndShrinksOnlyWhenAsked) {
   const double grown = range.high();
   range.include(profile(2.05));
   EXPECT_EQ(range.high(), grown);
+  // At rest it shrinks where most of it would be empty.
+  range.settle(profile(1));
+  EXPECT_EQ(range.high(), grown);
+  range.settle(profile(0.4));
+  EXPECT_LT(range.high(), 0.6);
   range.reset();
   range.include(profile(1));
   EXPECT_EQ(range.low(), low);

@@ -159,6 +159,11 @@ TEST_F(DeskTest, NormalsAreGivenTurnedAndRemoved) {
   one_step([&] { hand.drag(spike(), place(2) + Point<2>(0.0, 0.52), no_keys, ctrl_key); });
   EXPECT_NEAR(desk.constraint(2).normal->value, 2 * given.value, 1e-12 * std::abs(given.value))
       << "twice as long, twice the value";
+  const double twice = desk.constraint(2).normal->value;
+  one_step([&] { hand.drag(spike(), place(2) + Point<2>(0.0, 0.52), ctrl_key, ctrl_key); });
+  EXPECT_NEAR(desk.constraint(2).normal->value, 2 * twice, 1e-12 * std::abs(twice))
+      << "also held from the start";
+  hand.key(K::z, ctrl_key);
   one_step([&] { hand.drag(spike(), place(2) + Point<2>(0.5, 0.05), no_keys, shift_key); });
   EXPECT_EQ(desk.constraint(2).normal->direction, Point<2>(1, 0)) << "steps of 15 degrees";
   no_step([&] {
