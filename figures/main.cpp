@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/scene/culprits.h"
 #include "core/scene/document_json.h"
 #include "core/scene/document_picture.h"
 #include "figures/catalog.h"
@@ -83,8 +84,11 @@ int make_figures(const std::vector<std::string>& ids, const std::filesystem::pat
 
 int render(const std::string& scene, const std::string& output, double size) {
   const Document<2> document = read_document<2>(scene);
-  const Fit<2> fitted = fit(document);
-  picture_of(document, fitted.function, size).save(output);
+  try {
+    picture_of(document, fit(document).function, size).save(output);
+  } catch (const ConstraintError& error) {
+    throw FileError(scene, in_words(error, constraints_of(document)));
+  }
   return 0;
 }
 

@@ -23,8 +23,8 @@
 // point or along a line) are dropped.
 //
 // What is promised: every vertex lies on the zero set as well as doubles can say, |f| / |grad f| <= 1e-12 of
-// the box; the curve passes exactly through every seed, at any resolution. What is not: a component through
-// no seed, smaller than a cell, whose presence no lattice corner feels, stays unseen.
+// the box; the curve passes exactly through every seed where it has one direction, at any resolution. What is
+// not: a component through no seed, smaller than a cell, whose presence no lattice corner feels, stays unseen.
 #pragma once
 
 #include <vector>

@@ -42,19 +42,20 @@ void refuse_unless_finite(const Rows<Dim>& rows) {
                         sorted(culprits));
 }
 
-// Weights are in units of length^-3; sizes whose cube is no double have none.
+// Weights are in units of value * length^-3; sizes whose cube is no double have none.
 template <int Dim>
 void refuse_unless_in_range(const Rows<Dim>& rows) {
   constexpr double largest = 1e100, smallest = 1e-100;
   std::set<Index> culprits;
-  for (Index i = 0; i < rows.values.size(); ++i)
-    if (rows.centers.col(i).cwiseAbs().maxCoeff() > largest)
-      culprits.insert(rows.origins[static_cast<std::size_t>(i)].constraint);
-  if (!culprits.empty())
-    throw ConstraintError(
-        Reason::out_of_range,
-        named(sorted(culprits)) + ": a coordinate is beyond 1e100; choose another unit of length",
-        sorted(culprits));
+  const auto refuse = [&](const Values& sizes, const char* words) {
+    for (Index i = 0; i < sizes.size(); ++i)
+      if (sizes[i] > largest) culprits.insert(rows.origins[static_cast<std::size_t>(i)].constraint);
+    if (!culprits.empty())
+      throw ConstraintError(Reason::out_of_range, named(sorted(culprits)) + words, sorted(culprits));
+  };
+  refuse(rows.centers.cwiseAbs().colwise().maxCoeff(),
+         ": a coordinate is beyond 1e100; choose another unit of length");
+  refuse(rows.values.cwiseAbs(), ": a value is beyond 1e100; choose smaller ones");
   const double extent = bounding_box_of<Dim>(rows.centers).sizes().maxCoeff();
   if (extent > 0 && extent < smallest) {
     for (const auto& origin : rows.origins) culprits.insert(origin.constraint);
