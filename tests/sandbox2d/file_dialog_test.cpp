@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/window/ui.h"
 #include "tests/core/window/stage.h"
-#include "tests/sandbox2d/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -293,9 +293,9 @@ TEST(FileDialog, FitsIntoTheWindowAtAnyScale) {
         stage.folder.with(
             "a scene with a very long name that tells everything about what is in it, twice over.json");
         double pixels = 2;
-        const std::string name = "seesaw_dialog_" + std::to_string(static_cast<int>(100 * scale)) +
-                                 (dark ? "_dark" : "_light") + (save ? "_save.png" : "_open.png");
-        const auto path = std::filesystem::path(::testing::TempDir()) / name;
+        const std::string name = std::to_string(static_cast<int>(100 * scale)) + (dark ? "_dark" : "_light") +
+                                 (save ? "_save.png" : "_open.png");
+        const auto path = stage.folder / name;
         if (save)
           stage.dialog.ask_save("Export", {{".png", "Picture"}, {".svg", "Drawing"}},
                                 stage.folder / "curve.png", stage.done(), [&](const FileKind& kind) {

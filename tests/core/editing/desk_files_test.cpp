@@ -15,6 +15,7 @@
 #include "core/editing/recent_files.h"
 #include "tests/core/editing/documents.h"
 #include "tests/core/editing/hand.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -25,12 +26,6 @@ using ::testing::HasSubstr;
 
 class DeskFiles : public ::testing::Test {
  protected:
-  DeskFiles() {
-    std::string name = (fs::temp_directory_path() / "seesaw-desk-XXXXXX").string();
-    folder = ::mkdtemp(name.data());
-  }
-  ~DeskFiles() override { fs::remove_all(folder); }
-
   std::vector<std::string> names() const {
     std::vector<std::string> result;
     for (const auto& each : fs::directory_iterator(folder)) result.push_back(each.path().filename().string());
@@ -38,7 +33,8 @@ class DeskFiles : public ::testing::Test {
     return result;
   }
 
-  fs::path folder;
+  ScratchFolder scratch;
+  fs::path folder = scratch.path();
 };
 
 /// Runs `work` in a process of its own. It must end by _exit or be killed.
