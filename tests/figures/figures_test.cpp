@@ -1,8 +1,8 @@
 // Every figure of the catalog: its checks hold, its facts have the agreed names, its picture looks like its
 // reference.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -20,6 +20,7 @@
 #include "figures/gallery.h"
 #include "figures/output.h"
 #include "figures/paths.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -69,9 +70,52 @@ TEST_P(FigureTest, ItSaysWhatItShows) {
   }
 }
 
+// The names of figures/facts.h, on which whoever reads a figure's JSON relies.
+const std::vector<std::string> names_of_constraints = {"boundary", "interior", "exterior", "normal", "total"};
+const std::vector<std::string> names_of_fit = {"constraints",          "kernel", "max_residual",
+                                               "reciprocal_condition", "energy", "fit_seconds"};
+const std::vector<std::string> names_of_curve = {
+    "components", "closed", "euler_characteristic", "genus", "boundary_edges", "area", "length"};
+
+/// Every number under its name, none of them missing where any is there. False where there is none at all.
+bool reports_fit(const Facts& facts) {
+  if (std::ranges::none_of(names_of_fit, [&](const auto& name) { return facts.contains(name); }))
+    return false;
+  for (const std::string& name : names_of_fit) EXPECT_TRUE(facts.contains(name)) << name;
+  const Facts constraints = facts.value("constraints", Facts::object());
+  for (const std::string& name : names_of_constraints)
+    EXPECT_TRUE(constraints.contains(name) && constraints[name].is_number_integer()) << name;
+  EXPECT_GT(constraints.value("total", 0), 0);
+  for (const char* name : {"max_residual", "reciprocal_condition", "energy", "fit_seconds"})
+    EXPECT_GE(facts.value(name, -1.0), 0) << name;
+  return true;
+}
+
+/// The same of a curve: only curves have a length, or count those that are closed.
+bool reports_curve(const Facts& facts) {
+  if (!facts.contains("length") && !facts.contains("closed")) return false;
+  for (const std::string& name : names_of_curve)
+    EXPECT_TRUE(facts.contains(name) && facts[name].is_number()) << name;
+  EXPECT_GT(facts.value("components", 0), 0);
+  EXPECT_GT(facts.value("length", 0.0), 0);
+  return true;
+}
+
+TEST_P(FigureTest, ItsFactsHaveTheAgreedNames) {
+  for (const Panel& panel : figure().panels) {
+    SCOPED_TRACE(panel.name);
+    reports_fit(panel.facts);
+    reports_curve(panel.facts);
+    if (figure().id == "turk2002-fig01") {
+      EXPECT_TRUE(reports_fit(panel.facts) && reports_curve(panel.facts));
+      EXPECT_EQ(panel.facts["constraints"]["total"], panel.name == "left" ? 5 : 8);
+    }
+  }
+}
+
 TEST_P(FigureTest, ItsFilesAreAsDescribed) {
-  const fs::path folder =
-      fs::temp_directory_path() / ("seesaw_figures_" + std::to_string(::getpid()) + GetParam().id);
+  const ScratchFolder scratch;
+  const fs::path folder = scratch / "made by it";
   write_figure(figure(), folder, 0.5);
   EXPECT_TRUE(fs::exists(folder / (figure().id + ".png")));
   const Facts description = Facts::parse(std::ifstream(folder / (figure().id + ".json")));
@@ -84,7 +128,6 @@ TEST_P(FigureTest, ItsFilesAreAsDescribed) {
   }
   for (const auto& check : description["checks"])
     for (const char* key : {"name", "value", "bound", "holds"}) EXPECT_TRUE(check.contains(key)) << key;
-  fs::remove_all(folder);
 }
 
 TEST_P(FigureTest, ItLooksLikeItsReference) {
@@ -102,7 +145,7 @@ TEST_P(FigureTest, ItLooksLikeItsReference) {
   EXPECT_TRUE(alike) << "worst " << comparison.worst << ", mean " << comparison.mean << ", noticeable "
                      << comparison.noticeable;
   if (!alike) {
-    const fs::path shown = fs::temp_directory_path() / (GetParam().id + "-difference.png");
+    const fs::path shown = picture_to_look_at(GetParam().id + "-difference.png");
     write_png(shown, difference_picture(picture, reference));
     std::cout << "ours, reference and difference: " << shown << '\n';
   }

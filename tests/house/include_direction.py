@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The one rule of the house: a folder includes only what stands above it, and strangers never meet.
 
-Reads every #include of the tree (and every link between floors in CMake), and fails on each arrow that runs the
-wrong way. `--self-test` proves that it can fail.
+Reads every #include of the tree and every link between floors in its CMakeLists.txt, and fails on each arrow that
+runs the wrong way; and on a heavy library outside its place. First it shows on made-up files that it can fail.
 """
 
 import pathlib
@@ -30,6 +30,8 @@ for floor in PROGRAMS:
     ABOVE[floor] = list(lower)
 ABOVE["tests"] = lower + PROGRAMS
 
+TOP_FOLDERS = {name.split("/")[0] for name in ABOVE}
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 # Heavy libraries that only one place may see.
 ONLY_IN = {
@@ -47,6 +49,12 @@ ONLY_IN = {
     "imgui": ["core/window"],
     "CLI/": ["cli", "figures", "sandbox2d", "sandbox3d"],
 }
+# Those that whoever includes a header of core must not need.
+NOT_IN_HEADERS_OF_CORE = ["nlohmann/"]
+
+# In a CMakeLists.txt: the floors after USES, up to the next word in capitals, and what is linked by its name.
+USES = re.compile(r"\bUSES\s+([^A-Z)]*)")
+LINKS = re.compile(r"\btarget_link_libraries\s*\(\s*\S+([^)]*)\)")
 
 
 def floor_of(path):
@@ -59,10 +67,14 @@ def floor_of(path):
 
 
 def faults_of(path, text):
-    """A line of words for every include of the file that breaks the rule."""
+    """A line of words for everything in the file that breaks the rule."""
     mine = floor_of(path)
     if mine is None:
         return []
+    return faults_of_links(path, mine, text) if path.endswith(".txt") else faults_of_includes(path, mine, text)
+
+
+def faults_of_includes(path, mine, text):
     faults = []
     for number, line in enumerate(text.splitlines(), 1):
         match = INCLUDE.match(line)
@@ -70,7 +82,7 @@ def faults_of(path, text):
             continue
         quote, target = match.groups()
         where = f"{path}:{number}: "
-        if quote == '"':
+        if quote == '"' or target.split("/")[0] in TOP_FOLDERS:
             if target.startswith("."):
                 faults.append(where + f'"{target}": name the file from the top folder')
                 continue
@@ -82,6 +94,26 @@ def faults_of(path, text):
         for library, places in ONLY_IN.items():
             if target.startswith(library) and mine not in places:
                 faults.append(where + f"<{target}> may be seen only in {', '.join(places)}")
+        for library in NOT_IN_HEADERS_OF_CORE:
+            if target.startswith(library) and path.startswith("core/") and not path.endswith(".cpp"):
+                faults.append(where + f"<{target}> may not be in a header of core")
+    return faults
+
+
+def floor_of_library(name):
+    """The floor whose library is seesaw_`name`, or None."""
+    return next((floor for floor in (f"core/{name}", name) if floor in ABOVE), None)
+
+
+def faults_of_links(path, mine, text):
+    faults = []
+    text = re.sub(r"#.*", "", text)
+    names = [name for words in USES.findall(text) for name in words.split()]
+    names += [name for words in LINKS.findall(text) for name in re.findall(r"\bseesaw_(\w+)", words)]
+    for name in names:
+        theirs = floor_of_library(name)
+        if theirs and theirs != mine and theirs not in ABOVE[mine]:
+            faults.append(f"{path}: {mine} may not link {theirs}")
     return faults
 
 
@@ -95,11 +127,28 @@ def self_test():
         ("core/scene/a.h", "#include <cairo.h>"),
         ("core/rbf/a.h", '#include "../base/types.h"'),
         ("core/rbf/a.h", '#include "rbf/kernel.h"'),
+        ("core/rbf/a.h", "#include <core/contour/contour.h>"),
+        ("core/contour/a.cpp", "#include <core/rbf/fit.h>"),
+        ("core/rbf/a.h", "#include <core/attic/a.h>"),
+        ("core/scene/a.cpp", "#include <figures/figure.h>"),
+        ("core/scene/a.h", "#include <nlohmann/json.hpp>"),
+        ("core/scene/a.inc", "#include <nlohmann/json_fwd.hpp>"),
+        ("core/rbf/a.cpp", "#include <nlohmann/json.hpp>"),
+        ("core/rbf/CMakeLists.txt", "seesaw_library(rbf SOURCES a.cpp\n  USES base contour\n  PRIVATE x)"),
+        ("core/scene/CMakeLists.txt", "seesaw_library(scene\n  USES base\n    editing)"),
+        ("core/rbf/CMakeLists.txt", "target_link_libraries(seesaw_rbf PUBLIC x\n  seesaw_contour)"),
+        ("sandbox2d/CMakeLists.txt", "seesaw_program(sandbox2d USES figures)"),
     ]
     right = [
         ("core/rbf/a.h", '#include "core/implicit/field.h"\n#include <vector>'),
         ("core/scene/a.h", '  #  include "core/rbf/kernel.h"'),
         ("cli/main.cpp", '#include "core/scene/document.h"'),
+        ("core/scene/a.h", "#include <core/rbf/kernel.h>\n#include <base/elsewhere.h>"),
+        ("core/scene/a.cpp", "#include <nlohmann/json.hpp>"),
+        ("figures/a.h", "#include <nlohmann/json.hpp>"),
+        ("core/rbf/CMakeLists.txt", "seesaw_library(rbf SOURCES contour.cpp USES base\n  PRIVATE SeesawDeps::simd)"),
+        ("core/rbf/CMakeLists.txt", "# USES contour\ntarget_link_libraries(seesaw_rbf PRIVATE seesaw_flags)"),
+        ("cli/CMakeLists.txt", "seesaw_program(seesaw USES scene PRIVATE SeesawDeps::json)"),
     ]
     for path, text in wrong:
         assert faults_of(path, text), f"not caught: {path}: {text}"
@@ -111,9 +160,9 @@ def main():
     self_test()
     top = pathlib.Path(sys.argv[1])
     faults, count = [], 0
-    for folder in sorted({name.split("/")[0] for name in ABOVE}):
+    for folder in sorted(TOP_FOLDERS):
         for file in sorted((top / folder).rglob("*")):
-            if file.suffix in {".h", ".cpp", ".inc"}:
+            if file.suffix in {".h", ".cpp", ".inc"} or file.name == "CMakeLists.txt":
                 count += 1
                 path = file.relative_to(top).as_posix()
                 faults += faults_of(path, file.read_text(encoding="utf-8"))

@@ -17,7 +17,7 @@
 #include "sandbox2d/app.h"
 #include "tests/core/editing/documents.h"
 #include "tests/core/window/stage.h"
-#include "tests/sandbox2d/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 

@@ -8,7 +8,7 @@
 #include "core/base/text.h"
 #include "core/image/png.h"
 #include "core/scene/document_json.h"
-#include "tests/sandbox2d/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {

@@ -8,7 +8,8 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "tests/sandbox2d/scratch_folder.h"
+#include "tests/sandbox2d/random_place.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/window/ui.h"
 #include "tests/core/window/stage.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -131,6 +132,7 @@ TEST(Questions, WhatAnAnswerThrowsComesOut) {
 }
 
 TEST(Questions, FitIntoTheWindowAtAnyScale) {
+  const ScratchFolder folder;
   for (const bool dark : {false, true})
     for (const double scale : {1.0, 1.75, 3.0}) {
       SEESAW_WINDOW_OR_SKIP(window, WindowOptions{.width = 900, .height = 560, .scale = scale, .dark = dark});
@@ -138,9 +140,8 @@ TEST(Questions, FitIntoTheWindowAtAnyScale) {
       Question question = stage.question("Unsaved changes", {"Save", "Don't save", "Cancel"});
       question.text = "The scene “torus.json” has changes that are not saved.\nWithout saving they are lost.";
       stage.questions.ask(question);
-      const auto path = std::filesystem::path(::testing::TempDir()) /
-                        ("seesaw_question_" + std::to_string(static_cast<int>(100 * scale)) +
-                         (dark ? "_dark" : "_light") + ".png");
+      const auto path =
+          folder / (std::to_string(static_cast<int>(100 * scale)) + (dark ? "_dark" : "_light") + ".png");
       stage.play(window, "frames 3\nmove \"Cancel\"\nframes 1\nscreenshot \"" + path.string() +
                              "\"\nclick \"Cancel\"\nframes 2");
       EXPECT_THAT(stage.answers, ElementsAre("Unsaved changes: Cancel")) << scale;

@@ -14,6 +14,7 @@
 #include "core/image/compare.h"
 #include "core/image/png.h"
 #include "tests/sandbox2d/app_stage.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -36,7 +37,7 @@ TEST_P(AppPictures, AreThoseOfTheReference) {
   EXPECT_TRUE(alike) << "worst " << comparison.worst << ", mean " << comparison.mean << ", noticeable "
                      << comparison.noticeable;
   if (alike) return;
-  const auto shown = std::filesystem::path(::testing::TempDir()) / ("sandbox2d-" + name + "-difference.png");
+  const auto shown = picture_to_look_at("sandbox2d-" + name + "-difference.png");
   write_png(shown, difference_picture(picture, reference));
   ADD_FAILURE() << "ours, reference and difference: " << shown;
 }

@@ -2,7 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/sandbox2d/scratch_folder.h"
+#include "tests/sandbox2d/random_place.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -20,6 +19,7 @@
 #include "core/base/progress.h"
 #include "core/base/random.h"
 #include "core/base/text.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -50,9 +50,8 @@ TEST(Text, OnlyWholeNumbersAreNumbers) {
 
 class File : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder); }
-  void TearDown() override { fs::remove_all(folder); }
-  fs::path folder = fs::temp_directory_path() / ("seesaw_file_test_" + std::to_string(::getpid()));
+  ScratchFolder scratch;
+  fs::path folder = scratch.path();
 };
 
 TEST_F(File, WhatWasWrittenIsRead) {

@@ -15,6 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 
@@ -53,17 +54,15 @@ using testing::HasSubstr;
 class FileFlush : public testing::Test {
  protected:
   void SetUp() override {
-    flushed_fs::create_directories(folder);
     log.watched = folder / "a";
     flushes = &log;
   }
   void TearDown() override {
     flushes = nullptr;
     flushed_fs::permissions(folder, flushed_fs::perms::owner_all);
-    flushed_fs::remove_all(folder);
   }
-  flushed_fs::path folder =
-      flushed_fs::temp_directory_path() / ("seesaw_flush_test_" + std::to_string(::getpid()));
+  ScratchFolder scratch;
+  flushed_fs::path folder = scratch.path();
   Flushes log;
 };
 

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <thread>
+#include <utility>
 
 #include "core/editing/editor.h"
 #include "tests/core/rbf/edited.h"
@@ -233,18 +234,23 @@ TEST(BackgroundSolver, AnotherDocumentDoesNotWaitForASessionThatIsAway) {
 
 TEST(BackgroundSolver, OneAtATime) {
   Random random(3);
-  std::atomic<int> arrived = 0;
-  Solved<2> solved(random_constraints<2>(500, random), elsewhere([&] { ++arrived; }));
+  std::atomic<int> works = 0;  // that have arrived, or nearly: each has a thread of its own
+  const auto arrived = [&] {
+    static thread_local bool counted = false;
+    works += !std::exchange(counted, true);
+  };
+  Solved<2> solved(random_constraints<2>(500, random), elsewhere(arrived));
   solved.settle();
-  EXPECT_EQ(arrived, 1);
+  EXPECT_EQ(works, 1);
   for (int k = 1; k <= 30; ++k) {
     solved.document.smoothing = 0.001 * k;
     solved.ask();
     EXPECT_TRUE(solved.shape.pending);
   }
+  const int before = works;
   solved.settle();
-  EXPECT_GE(arrived, 3) << "the first that was asked for, and the last";
-  EXPECT_LE(arrived, 15);
+  EXPECT_GE(works, 3) << "the first that was asked for, and the last";
+  EXPECT_LE(works, before + 2) << "what was under way, and the last";
   EXPECT_EQ(solved.shape.report.smoothing, 0.03);
 }
 
@@ -410,10 +416,13 @@ TEST(BackgroundSolver, TellsWhenSomethingHasArrived) {
   }));
   const Solver<2> copy = solver;
   EXPECT_THROW(copy(ring(), {}), StillSolving<2>);
-  while (arrived == 0) std::this_thread::yield();
-  EXPECT_TRUE(elsewhere_thread);
-  EXPECT_TRUE(solver.busy()) << "until it is polled";
-  EXPECT_TRUE(solver.poll());
+  int told = 0;
+  do {  // more than once where it takes so long that it tells of its progress
+    EXPECT_TRUE(solver.busy()) << "until it is polled";
+    while (arrived == told) std::this_thread::yield();
+    told = arrived;
+    EXPECT_TRUE(elsewhere_thread);
+  } while (!solver.poll());
   EXPECT_FALSE(solver.busy());
   EXPECT_FALSE(solver.poll());
   expect_as_fitted(copy(ring(), {}), fit(ring()));

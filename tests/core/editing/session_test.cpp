@@ -8,6 +8,7 @@
 #include "core/base/file.h"
 #include "core/editing/replay.h"
 #include "tests/core/editing/documents.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -64,7 +65,8 @@ void record_write_read_replay() {
   session.title = "every command";
   session.commands[2].comment = "why";
   const std::string text = to_json_text(session);
-  const auto path = std::filesystem::path(::testing::TempDir()) / ("session" + std::to_string(Dim) + ".json");
+  const ScratchFolder folder;
+  const auto path = folder / "session.json";
   write_session(path, session);
   EXPECT_EQ(read_file(path), text);
   const Session<Dim> again = read_session<Dim>(path);
@@ -240,7 +242,8 @@ TEST(Session, AFileThatIsNotThereOrOfAnotherDimensionIsNamed) {
   } catch (const FileError& error) {
     EXPECT_EQ(error.path(), "/no/such/session.json");
   }
-  const auto path = std::filesystem::path(::testing::TempDir()) / "flat_session.json";
+  const ScratchFolder folder;
+  const auto path = folder / "flat.json";
   write_session(path, Session<2>{});
   try {
     read_session<3>(path);

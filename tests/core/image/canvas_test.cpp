@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "core/base/file.h"
 #include "core/image/png.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -48,14 +48,14 @@ TEST(Canvas, UnitsArePointsTimesScaleWithYDown) {
 }
 
 TEST(Canvas, TheExampleOfItsHeader) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / "seesaw_canvas_example.pdf";
+  const ScratchFolder folder;
+  const auto path = folder / "example.pdf";
   Canvas canvas(200, 100);
   canvas.fill_circle({50, 50}, 20, theme::moved);
   canvas.text({80, 50}, "a new constraint", {.size = 11, .vertical = VerticalAlign::middle});
   canvas.save(path);
   EXPECT_EQ(read_file(path), canvas.pdf());
   EXPECT_COLOR(canvas.image(1), 50, 50, theme::moved);
-  std::filesystem::remove(path);
 }
 
 TEST(Canvas, RedIsRedAndBlueIsBlue) {  // Cairo keeps pixels as BGRA
@@ -270,8 +270,7 @@ TEST(Canvas, SizesThatMakeNoPictureAreRefused) {
 }
 
 TEST(Canvas, SavesByTheEndingOfThePath) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "seesaw_canvas_saves";
-  std::filesystem::create_directories(folder);
+  const ScratchFolder folder;
   Canvas canvas(20, 10);
   canvas.fill_circle({5, 5}, 3, theme::moved);
   canvas.save(folder / "a.png");
@@ -289,7 +288,6 @@ TEST(Canvas, SavesByTheEndingOfThePath) {
     }
   }
   EXPECT_THROW(canvas.save(folder / "no" / "a.svg"), FileError);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(CanvasPdf, HasOnePageAFixedDateAndItsFont) {

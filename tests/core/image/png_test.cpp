@@ -3,10 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "core/base/file.h"
 #include "core/base/random.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -24,13 +23,7 @@ Image noise(int width, int height, bool opaque) {
 
 class PngFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("seesaw_png_") + info->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_;
+  ScratchFolder folder_;
 };
 
 std::string message_of(std::string_view bytes) {

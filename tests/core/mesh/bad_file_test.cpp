@@ -1,9 +1,7 @@
 // What is refused, and in which words.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/mesh/mesh_file.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -54,8 +53,7 @@ TEST(BadFile, NoModelAtAll) {
 }
 
 TEST(BadFile, OnDisk) {
-  const auto folder = std::filesystem::temp_directory_path() / ("seesaw_bad_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const ScratchFolder folder;
   for (const char* name : {"a.glb", "a.3ds", "a.ply"}) write_file(folder / name, "");
   write_file(folder / "b.3ds", "this is no 3DS file");
   write_file(folder / "b.glb", std::string(100, 'x'));
@@ -70,7 +68,6 @@ TEST(BadFile, OnDisk) {
       EXPECT_THAT(error.what(), HasSubstr(says)) << name;
     }
   }
-  std::filesystem::remove_all(folder);
 }
 
 TEST(BadFile, Obj) {

@@ -1,7 +1,6 @@
 #include "core/mesh/mesh_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/vertex_normals.h"
 #include "tests/core/mesh/test_meshes.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -219,8 +219,7 @@ TEST(MeshFile, WhatIsWrittenIsReadBack) {
   TriangleMesh mesh = sphere_mesh(2);
   for (Index v = 0; v < mesh.vertices.cols(); ++v) mesh.vertices.col(v) *= random.uniform(0.5, 1.5) / 3;
   mesh.normals = vertex_normals(mesh);
-  const auto folder = std::filesystem::temp_directory_path() / ("seesaw_mesh_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const ScratchFolder folder;
   for (const char* name : {"m.obj", "m.ply", "m.off", "M.OBJ"})
     for (const bool text : {false, true}) {
       write_mesh(folder / name, mesh, {.text = text});
@@ -260,13 +259,10 @@ TEST(MeshFile, WhatIsWrittenIsReadBack) {
   // What the content says counts more than the name.
   std::filesystem::copy(folder / "m.ply", folder / "really_a_ply.obj");
   EXPECT_EQ(read_mesh(folder / "really_a_ply.obj").mesh.faces, mesh.faces);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(MeshFile, AssimpReadsTheRest) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("seesaw_assimp_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const ScratchFolder folder;
   // A glTF file with one triangle mesh of a tetrahedron, placed twice: once moved, once mirrored.
   const TriangleMesh mesh = tetrahedron();
   std::string buffer;
@@ -292,7 +288,6 @@ TEST(MeshFile, AssimpReadsTheRest) {
   EXPECT_EQ(report.box.max().x(), 6);
   write_file(folder / "bad.gltf", "{\"asset\": 3");
   EXPECT_THROW(read_mesh(folder / "bad.gltf"), FileError);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // A decimal comma in the locale changes nothing in a file, neither way.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <clocale>
 #include <cstdlib>
@@ -12,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/core/mesh/test_meshes.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -66,11 +66,9 @@ bool make_locale(const std::filesystem::path& folder) {
 }
 
 TEST(MeshLocale, ALocaleOfTheProgramChangesNothing) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("seesaw_mesh_locale_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  ::setenv("LOCPATH", folder.c_str(), 1);
-  const bool made = make_locale(folder) && std::setlocale(LC_NUMERIC, "comma");
+  const ScratchFolder folder;
+  ::setenv("LOCPATH", folder.path().c_str(), 1);
+  const bool made = make_locale(folder.path()) && std::setlocale(LC_NUMERIC, "comma");
   if (made) {
     EXPECT_STREQ(std::localeconv()->decimal_point, ",");
     expect_the_same_as_ever();
@@ -88,7 +86,6 @@ TEST(MeshLocale, ALocaleOfTheProgramChangesNothing) {
   }
   std::setlocale(LC_NUMERIC, "C");
   ::unsetenv("LOCPATH");
-  std::filesystem::remove_all(folder);
   if (!made) GTEST_SKIP() << "localedef makes no locale here";
 }
 

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <numeric>
@@ -360,13 +362,26 @@ TEST(Fit, StrongSmoothingIsTheLeastSquaresPlane) {
 
 TEST(Fit, SameResultWhateverTheThreads) {
   Random random(15);
-  const ScatteredData<3> data(500, random);
-  const auto f = fit_values<3>(data.points, data.values).function;
-  const auto g = fit_values<3>(data.points, data.values).function;
-  EXPECT_EQ(f.weights(), g.weights());
-  const Points<3> x = random.points_in<3>(f.bounding_box(), 5000);
-  const Values all = f.values(x);
-  for (Index i = 0; i < x.cols(); i += 97) EXPECT_EQ(f.value(x.col(i)), all[i]);
+  const ScatteredData<3> data(1200, random);
+  std::vector<Interpolant<3>> functions;
+  std::vector<Values> values;
+  Points<3> x;
+  for (const int threads : {1, 2, 5}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+    tbb::task_arena arena(threads);  // also where there are fewer cores
+    arena.execute([&] {
+      const auto f = fit_values<3>(data.points, data.values).function;
+      if (functions.empty()) x = random.points_in<3>(f.bounding_box(), 5000);
+      values.push_back(f.values(x));
+      functions.push_back(f);
+    });
+  }
+  for (std::size_t k = 0; k < functions.size(); ++k) {
+    EXPECT_EQ(functions[k].weights(), functions[0].weights());
+    EXPECT_EQ(values[k], values[0]);
+  }
+  for (Index i = 0; i < x.cols(); i += 97) EXPECT_EQ(functions[0].value(x.col(i)), values[0][i]);
 }
 
 // The listener's thread is the one that asked, the fraction never falls, and the digits do not depend on it.

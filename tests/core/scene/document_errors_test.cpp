@@ -1,12 +1,12 @@
 // Every kind of mistake in a file: the exact words, the line and the path.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/scene/document_json.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -208,8 +208,8 @@ TEST(DocumentErrors, TheOtherDimensionIsRefusedClearly) {
 }
 
 TEST(DocumentErrors, FilesAreNamedByTheirPath) {
-  const auto folder = std::filesystem::temp_directory_path();
-  const auto path = folder / ("seesaw_document_errors_" + std::to_string(::getpid()) + ".json");
+  const ScratchFolder folder;
+  const auto path = folder / "a.json";
   const auto refusal_of_file = [](const std::filesystem::path& file) -> std::string {
     try {
       read_document(file);
@@ -219,13 +219,12 @@ TEST(DocumentErrors, FilesAreNamedByTheirPath) {
     return "accepted";
   };
   EXPECT_EQ(refusal_of_file(path), path.string() + ": no such file");
-  EXPECT_EQ(refusal_of_file(folder), folder.string() + ": is a folder, not a file");
+  EXPECT_EQ(refusal_of_file(folder.path()), folder.path().string() + ": is a folder, not a file");
   write_file(path, "");
   EXPECT_EQ(refusal_of_file(path), path.string() + ": is empty");
   write_file(path, "{\n\"seesaw\": 9}");
   EXPECT_EQ(refusal_of_file(path),
             path.string() + ":2: seesaw: was made by a newer Seesaw (version 9; this one reads up to 1)");
-  std::filesystem::remove(path);
 }
 
 }  // namespace

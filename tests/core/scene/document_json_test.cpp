@@ -3,12 +3,12 @@
 #include "core/scene/document_json.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -215,8 +215,8 @@ TEST(DocumentJson, EqualMeansEverywhere) {
 }
 
 TEST(DocumentJson, FilesKeepDocuments) {
-  const auto path =
-      std::filesystem::temp_directory_path() / ("seesaw_document_" + std::to_string(::getpid()) + ".json");
+  const ScratchFolder folder;
+  const auto path = folder / "a.json";
   write_document(path, example_document());
   EXPECT_EQ(read_file(path), example);
   EXPECT_EQ(read_document<2>(path), example_document());
@@ -229,7 +229,6 @@ TEST(DocumentJson, FilesKeepDocuments) {
   broken.smoothing = -1;
   EXPECT_THROW(write_document(path, broken), Error);
   EXPECT_EQ(read_document(path), solid);
-  std::filesystem::remove(path);
 }
 
 }  // namespace

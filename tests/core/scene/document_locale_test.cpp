@@ -1,6 +1,5 @@
 // A decimal comma in the locale changes nothing in a file.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <clocale>
 #include <cstdlib>
@@ -11,6 +10,7 @@
 
 #include "core/base/file.h"
 #include "core/scene/document_json.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -59,14 +59,12 @@ bool make_locale(const std::filesystem::path& folder, const std::string& name, c
 }
 
 TEST(DocumentLocale, ALocaleOfTheProgramChangesNothing) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("seesaw_locales_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  ::setenv("LOCPATH", folder.c_str(), 1);
+  const ScratchFolder folder;
+  ::setenv("LOCPATH", folder.path().c_str(), 1);
   int tried = 0;
   // A comma, and a decimal point of two bytes as fa_IR and ps_AF have it.
   for (const auto& [name, point] : {std::pair("comma", ","), std::pair("momayyez", "<U066B>")}) {
-    if (!make_locale(folder, name, point) || !std::setlocale(LC_NUMERIC, name)) continue;
+    if (!make_locale(folder.path(), name, point) || !std::setlocale(LC_NUMERIC, name)) continue;
     ++tried;
     SCOPED_TRACE(name);
     EXPECT_STRNE(std::localeconv()->decimal_point, ".");
@@ -76,7 +74,6 @@ TEST(DocumentLocale, ALocaleOfTheProgramChangesNothing) {
   }
   std::setlocale(LC_NUMERIC, "C");
   ::unsetenv("LOCPATH");
-  std::filesystem::remove_all(folder);
   if (tried == 0) GTEST_SKIP() << "localedef makes no locale here";
 }
 

@@ -3,10 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -62,14 +61,12 @@ TEST(Script, LinesAreCountedAndCommentsAndBlankLinesLeftOut) {
 }
 
 TEST(Script, DroppedFilesAreLookedForBesideTheScript) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "seesaw_script";
-  std::filesystem::create_directories(folder);
+  const ScratchFolder folder;
   write_file(folder / "a.script", "drop b.json\ndrop \"/c d.json\"\n");
   const Script script = read_script(folder / "a.script");
   EXPECT_EQ(std::get<script::Drop>(script.lines.at(0).command).file, folder / "b.json");
   EXPECT_EQ(std::get<script::Drop>(script.lines.at(1).command).file, "/c d.json");
-  std::filesystem::remove_all(folder);
-  EXPECT_THROW(read_script(folder / "a.script"), FileError);
+  EXPECT_THROW(read_script(folder / "b.script"), FileError);
 }
 
 TEST(Script, FaultsNameTheFileTheLineAndWhatWasExpected) {

@@ -8,6 +8,7 @@
 #include "core/image/canvas.h"
 #include "core/window/texture.h"
 #include "tests/core/window/stage.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -301,7 +302,7 @@ TEST(Ui, LightAndDarkAreLegible) {
   EXPECT_EQ(picture.at(300, 385), ui_colors(true).panel);
 }
 
-// What a program looks like: a canvas behind, panels over it. The picture is kept for a person to look at.
+// What a program looks like: a canvas behind, panels over it. SEESAW_KEEP=1 leaves the picture.
 TEST(Ui, ACanvasAndPanelsTogether) {
   SEESAW_WINDOW_OR_SKIP(window, WindowOptions{.width = 640, .height = 400, .scale = 1.2});
   Canvas canvas(640, 400);
@@ -311,7 +312,8 @@ TEST(Ui, ACanvasAndPanelsTogether) {
   Texture texture;
   texture.upload(canvas.image(1));
   Board board;
-  const auto path = std::filesystem::path(::testing::TempDir()) / "seesaw_panels.png";
+  const ScratchFolder folder;
+  const auto path = folder / "panels.png";
   const Played played = play(
       window,
       "frames 2\nclick \"File\"\nframes 1\nmove \"Undo\"\nframes 2\nscreenshot \"" + path.string() + "\"",

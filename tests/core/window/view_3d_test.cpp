@@ -9,6 +9,7 @@
 #include "core/image/theme.h"
 #include "core/window/ui.h"
 #include "tests/core/window/stage.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -238,7 +239,7 @@ TriangleMesh plate(int n, std::vector<Color>& colors) {
   return mesh;
 }
 
-// The see-saw in a panel: its picture is kept for a person to look at.
+// The see-saw in a panel: SEESAW_KEEP=1 leaves its picture.
 TEST(View3D, APlateInAPanelIsOrbitedByTheMouse) {
   SEESAW_WINDOW_OR_SKIP(window, WindowOptions{.width = 520, .height = 400});
   View3D view(4);
@@ -251,7 +252,8 @@ TEST(View3D, APlateInAPanelIsOrbitedByTheMouse) {
   pole.set_segments(at);
   ends.set_points(at);
   OrbitCamera camera{.distance = 7};
-  const auto path = std::filesystem::path(::testing::TempDir()) / "seesaw_plate.png";
+  const ScratchFolder folder;
+  const auto path = folder / "plate.png";
   const auto draw = [&] {
     if (const auto panel = ui::panel("See-saw", {10, 10, 500, 380})) {
       const int width = static_cast<int>(ui::width_left()), height = static_cast<int>(ui::height_left());

@@ -10,6 +10,7 @@
 #include "core/window/texture.h"
 #include "core/window/ui.h"
 #include "tests/core/window/stage.h"
+#include "tests/support/scratch_folder.h"
 
 namespace seesaw {
 namespace {
@@ -214,7 +215,8 @@ TEST(Window, TheClipboardIsTheSystems) {
 
 TEST(Window, AScreenshotIsTheFrameThatWasShown) {
   SEESAW_WINDOW_OR_SKIP(window);
-  const auto path = std::filesystem::path(::testing::TempDir()) / "seesaw_window" / "shot.png";
+  const ScratchFolder folder;
+  const auto path = folder / "made by it" / "shot.png";
   Texture texture;
   texture.upload(patterned(320, 200));
   const Played played = play(window, "screenshot \"" + path.string() + "\"", [&] {
@@ -222,7 +224,6 @@ TEST(Window, AScreenshotIsTheFrameThatWasShown) {
   });
   EXPECT_EQ(read_png(path), played.picture);
   EXPECT_EQ(played.picture, patterned(320, 200));
-  std::filesystem::remove_all(path.parent_path());
 }
 
 TEST(Window, AScriptThatCannotBeDoneNamesItsLine) {
