@@ -50,6 +50,17 @@ class Figures(unittest.TestCase):
                 self.assertNotEqual(done.stderr, "")
         self.assertEqual(os.listdir(self.folder), [])
 
+    def test_a_scene_without_a_function_names_file_and_places(self):
+        scene = {"seesaw": 1, "dimension": 2, "constraints": [
+            {"kind": "boundary", "at": [0.5, 1]}, {"kind": "interior", "at": [0.5, 1], "value": 1}]}
+        (self.folder / "two.json").write_text(json.dumps(scene), encoding="utf-8")
+        done = self.figures("render", "two.json", "-o", "two.png")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        for words in ("two.json: constraints 0, 1 ask for different values at one position",
+                      "constraints[0]: boundary at (0.5, 1)", "constraints[1]: interior at (0.5, 1), value 1"):
+            self.assertIn(words, done.stderr)
+        self.assertEqual(os.listdir(self.folder), ["two.json"])
+
     def test_a_figure_is_made(self):
         done = self.figures("make", "energy", "--out", "made/here", "--scale", "0.5")
         self.assertEqual((done.returncode, done.stderr), (0, ""))

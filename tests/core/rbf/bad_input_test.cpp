@@ -211,6 +211,18 @@ TEST(BadInput, FarFromTheOriginAndVerySmall) {
   }
 }
 
+TEST(BadInput, AValueThatDoublesCannotSumIsRefusedForWhatItIs) {
+  for (const double value : {1e101, -1e308}) {
+    auto constraints = four_around_one();
+    constraints[2].value = value;
+    constraints[2].kind = value > 0 ? ConstraintKind::interior : ConstraintKind::exterior;
+    const auto error = error_of([&] { fit(constraints); });
+    EXPECT_EQ(error.reason(), Reason::out_of_range);
+    EXPECT_EQ(error.culprits(), std::vector<Index>{2});
+    EXPECT_THAT(error.what(), testing::StartsWith("constraint 2: a value is beyond 1e100"));
+  }
+}
+
 TEST(BadInput, SizesThatDoublesCannotCubeAreRefused) {
   for (const double scale : {1e-300, 1e-120, 1e120, 8e307}) {
     for (const double smoothing : {0.0, 0.1}) {
