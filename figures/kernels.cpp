@@ -1,5 +1,6 @@
 // The same constraints under each kernel (T&O 2002, section 3): three functions, three curves, three
 // energies.
+#include "core/scene/document_rules.h"
 #include "figures/scene_panel.h"
 #include "figures/studio.h"
 #include "figures/surface.h"
@@ -7,18 +8,6 @@
 namespace seesaw {
 
 namespace {
-
-const char* formula_of(Kernel kernel) {
-  switch (kernel) {
-    case Kernel::thin_plate_spline:
-      return "r\u00b2 log r";
-    case Kernel::cubic:
-      return "r\u00b3";
-    case Kernel::linear:
-      return "r";
-  }
-  return "";
-}
 
 // The 3D half: one set of constraints under |x|^3 and |x|. Returns the sharpest Hessian beside a center, for
 // each.

@@ -12,6 +12,7 @@
 #include "core/image/colormap.h"
 #include "core/image/symbols.h"
 #include "core/scene/constraint_layer.h"
+#include "core/scene/document_rules.h"
 
 namespace seesaw {
 
@@ -327,7 +328,7 @@ class Overlay {
     if (name.empty()) return;
     const double size = 11.5 * s_;
     const std::optional<Kernel> kernel = kernel_named(name);
-    const std::string words = kernel ? "dashed: kernel " + formula_of(*kernel) : "dashed: " + name;
+    const std::string words = "dashed: " + (kernel ? std::string("kernel ") + formula_of(*kernel) : name);
     const TextSize room = measure_text(words, {.size = size});
     const Rect box{canvas_.width() - room.width - 52 * s_, 12 * s_, room.width + 40 * s_, 2.1 * size};
     canvas_.fill_rectangle(box, theme::paper.with_alpha(0.88), 3 * s_);

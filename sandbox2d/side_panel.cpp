@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/scene/document_rules.h"
 #include "core/window/ui.h"
 #include "sandbox2d/overlay.h"
 

@@ -208,18 +208,6 @@ std::shared_ptr<const Interpolant<2>> Desk::other() {
   return other_;
 }
 
-std::string formula_of(Kernel kernel) {
-  switch (kernel) {
-    case Kernel::thin_plate_spline:
-      return "r\u00b2 log r";
-    case Kernel::cubic:
-      return "r\u00b3";
-    case Kernel::linear:
-      break;
-  }
-  return "r";
-}
-
 std::string Desk::other_name() const {
   if (other_kernel_ && *other_kernel_ != document().kernel) return std::string(name_of(*other_kernel_));
   return comparing_ ? "before" : "";

@@ -20,7 +20,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <variant>
 
 #include "core/editing/arrangements.h"
 #include "core/editing/desk_bindings.h"
@@ -52,9 +54,6 @@ struct DeskOptions {
   /// No file or paste makes the document larger than this: a fit takes N^3 / 3 multiplications.
   Index most_constraints = 5000;
 };
-
-/// phi(r) as people write it: "r\u00b2 log r", "r\u00b3" or "r", in UTF-8.
-std::string formula_of(Kernel kernel);
 
 /// What was done, or why not: one sentence for the bottom of the window.
 struct DeskMessage {
@@ -276,6 +275,8 @@ class Desk {
 
   // desk_document.cpp
   void check_size(Index count, const std::string& name) const;
+  std::variant<Document<2>, Session<2>> read(const std::filesystem::path& path) const;
+  bool says_why_not(const std::filesystem::path& path, const std::function<void()>& act);
   void replace(Editor<2> next, std::filesystem::path path, bool saved);
 
   DeskOptions options_;

@@ -3,6 +3,7 @@
 #include "core/editing/desk.h"
 #include "core/editing/resolve.h"
 #include "core/scene/document_json.h"
+#include "core/scene/document_rules.h"
 
 namespace seesaw {
 
@@ -188,9 +189,10 @@ void Desk::run_display(DeskCommand command) {
       other_revision_ = ~std::uint64_t{0};
       other_.reset();
       other_pending_ = false;
-      return say(other_kernel_ ? "compared with the kernel " + formula_of(*other_kernel_) + ", dashed"
-                 : comparing_  ? "compared with what was remembered, dashed"
-                               : "no longer compared");
+      return say(other_kernel_
+                     ? std::string("compared with the kernel ") + formula_of(*other_kernel_) + ", dashed"
+                 : comparing_ ? "compared with what was remembered, dashed"
+                              : "no longer compared");
     }
     default:
       return;

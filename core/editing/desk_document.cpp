@@ -34,13 +34,24 @@ void Desk::replace(Editor<2> next, std::filesystem::path path, bool saved) {
   show_as_saved();
 }
 
-bool Desk::can_open(const std::filesystem::path& path) {
+std::variant<Document<2>, Session<2>> Desk::read(const std::filesystem::path& path) const {
+  const std::string name = path.string(), text = read_file(path, JsonLimits{}.bytes);
   try {
-    const std::string text = read_file(path, JsonLimits{}.bytes);
-    if (text.find("\"seesaw_session\"") == std::string::npos)
-      parse_document<2>(text, path.string());
-    else
-      parse_session(text, path.string());
+    Document<2> document = parse_document<2>(text, name);
+    check_size(static_cast<Index>(document.constraints.size()), name);
+    return document;
+  } catch (const FileError&) {
+    if (text.find("\"seesaw_session\"") == std::string::npos) throw;
+  }
+  AnySession any = parse_session(text, name);
+  auto* session = std::get_if<Session<2>>(&any);
+  if (!session) throw FileError(name, "is a session of dimension 3; expected one of dimension 2");
+  return std::move(*session);
+}
+
+bool Desk::says_why_not(const std::filesystem::path& path, const std::function<void()>& act) {
+  try {
+    act();
     return true;
   } catch (const Error& error) {
     say(error.what(), true);
@@ -50,32 +61,22 @@ bool Desk::can_open(const std::filesystem::path& path) {
   return false;
 }
 
+bool Desk::can_open(const std::filesystem::path& path) {
+  return says_why_not(path, [&] { read(path); });
+}
+
 bool Desk::open(const std::filesystem::path& path) {
-  try {
-    const std::string text = read_file(path, JsonLimits{}.bytes);
-    try {
-      Document<2> document = parse_document<2>(text, path.string());
-      check_size(static_cast<Index>(document.constraints.size()), path.string());
-      replace(Editor<2>(std::move(document), options_.editor), path, true);
-      say("opened " + path.string());
-    } catch (const FileError&) {
-      if (text.find("\"seesaw_session\"") == std::string::npos) throw;
-      const AnySession any = parse_session(text, path.string());
-      const auto* session = std::get_if<Session<2>>(&any);
-      if (!session)
-        throw FileError(path.string(), "is a session of dimension 3; expected one of dimension 2");
-      Editor<2> editor = replay(*session, {.editor = options_.editor});
-      check_size(editor.size(), path.string());
-      replace(std::move(editor), {}, false);
-      say("did again what was recorded in " + path.string());
+  return says_why_not(path, [&] {
+    auto found = read(path);
+    if (auto* document = std::get_if<Document<2>>(&found)) {
+      replace(Editor<2>(std::move(*document), options_.editor), path, true);
+      return say("opened " + path.string());
     }
-    return true;
-  } catch (const Error& error) {
-    say(error.what(), true);
-  } catch (const std::bad_alloc&) {
-    say(path.string() + ": there is not enough memory for it", true);
-  }
-  return false;
+    Editor<2> editor = replay(std::get<Session<2>>(found), {.editor = options_.editor});
+    check_size(editor.size(), path.string());
+    replace(std::move(editor), {}, false);
+    say("did again what was recorded in " + path.string());
+  });
 }
 
 bool Desk::save(const std::filesystem::path& path) {

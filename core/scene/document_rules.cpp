@@ -96,6 +96,18 @@ const char* name_of(ConstraintKind kind) {
   return "?";
 }
 
+const char* formula_of(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::thin_plate_spline:
+      return "r\u00b2 log r";
+    case Kernel::cubic:
+      return "r\u00b3";
+    case Kernel::linear:
+      return "r";
+  }
+  return "?";
+}
+
 template std::optional<Fault> fault_of(const SceneConstraint<2>&);
 template std::optional<Fault> fault_of(const SceneConstraint<3>&);
 template std::optional<Fault> fault_of(const Display<2>&);

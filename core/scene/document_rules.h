@@ -31,5 +31,7 @@ std::optional<Fault> fault_of(const Camera& camera);
 
 /// "boundary", "interior" or "exterior".
 const char* name_of(ConstraintKind kind);
+/// phi(r) as people write it, in UTF-8: "r\u00b2 log r", "r\u00b3" or "r".
+const char* formula_of(Kernel kernel);
 
 }  // namespace seesaw
