@@ -78,6 +78,7 @@ Point<Dim> parse_point(std::string_view line, const std::string& name, int numbe
       throw FileError(name, number,
                       "column " + std::to_string(d + 1) + ": expected a finite number, found " +
                           (column.empty() ? "nothing" : quoted(column)));
+    // As core/rbf/system.cpp has it for constraints: the cube of what is larger is no double.
     if (std::abs(*value) > 1e100)
       throw FileError(name, number,
                       "column " + std::to_string(d + 1) + ": " + quoted(column) +

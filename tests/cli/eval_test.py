@@ -125,6 +125,7 @@ class Eval(CliTest):
                 ("x,y\n0,0\n", 1, 'column 1: expected a finite number, found "x"'),
                 ("0 0\n0 1.5.2\n", 2, 'column 2: expected a finite number, found "1.5.2"'),
                 ("0 0x10\n", 1, '"0x10"'),
+                ("0 0\n0 -1e154\n", 2, 'column 2: "-1e154" is beyond 1e100'),
                 ("0;0\n", 1, "expected 2 columns"),
                 ("0 0\r\nnan 0\r\n", 2, 'column 1: expected a finite number, found "nan"'),
                 ("0 inf\n", 1, '"inf"'),
